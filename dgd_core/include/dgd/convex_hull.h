@@ -1,0 +1,36 @@
+// Convex hulls of point sets by Qhull, with the adjacency that support functions and contact patches need.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <span>
+#include <vector>
+
+#include "dgd/types.h"
+
+namespace dgd {
+
+/// The hull of a point set, in the points' frame. Lists of lists are stored as one array with the start of each list
+/// and a closing end: list i is [start[i], start[i + 1]).
+struct ConvexHull {
+  int dimension = 0;                      ///< 3: solid. 2: flat, two facets back to back. 1: segment. 0: point.
+  std::vector<Eigen::Vector3d> vertices;  ///< Extreme points only, metres.
+  std::vector<Eigen::Vector3d> normals;   ///< Outward unit normal of each facet; empty below dimension 2.
+  std::vector<int> facet_start;           ///< Facet -> its vertices ...
+  std::vector<VertexId> facet_vertices;   ///< ... counterclockwise seen from outside; coplanar triangles are merged.
+  std::vector<int> vertex_start;          ///< Vertex -> the facets around it ...
+  std::vector<int> vertex_facets;         ///< ... in no order.
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< Centroid of the volume, area, length or point.
+  double inradius = 0;  ///< Safe lower bound on the radius of the ball about the centre; 0 below dimension 3, metres.
+};
+
+/// Points nearer to a common plane (line, point) than this part of the set's extent make a flat hull: thinner sets are
+/// below what Qhull separates from rounding, with a decade to spare. Test: ConvexHull_NearlyFlat_*.
+inline constexpr double kFlatness = 1e-12;
+
+/// @param points  Metres, in any order, duplicates and interior points allowed; at least one, all finite.
+/// Throws std::invalid_argument if there are none or one is not finite, naming its index. Flat input is not an error:
+/// the dimension says it.
+ConvexHull BuildConvexHull(std::span<const Eigen::Vector3d> points);
+
+}  // namespace dgd

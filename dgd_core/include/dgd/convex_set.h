@@ -1,0 +1,98 @@
+// What the solver asks of a convex set, and the set it works on: a core with a radius.
+//
+// A set is core + ball(radius). The core is any type that fulfils ConvexCore; the radius is kept apart from it because
+// a rounded polytope then still has finitely many features (see ray/inner_approximation.h), which it has not when the
+// ball goes into the support function.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+#include "dgd/types.h"
+
+namespace dgd {
+
+/// A compact convex set in its own frame. All members are const, allocate nothing and do not throw.
+///  * Support(d): a point of the core that maximises <d, x>; d is finite and need not have unit length. For d = 0 any
+///    point of the core.
+///  * Center(): a point of the core, in its relative interior: the set is scaled about it.
+///  * Inradius(): a lower bound, safe against rounding, on the radius of the ball about Center() inside the core;
+///    0 for flat cores. Metres.
+template <class Core>
+concept ConvexCore = requires(const Core& core, const Vector3<typename Core::Scalar>& direction) {
+  { core.Support(direction) } -> std::same_as<SupportPoint<typename Core::Scalar>>;
+  { core.Center() } -> std::convertible_to<Vector3<typename Core::Scalar>>;
+  { core.Inradius() } -> std::convertible_to<typename Core::Scalar>;
+};
+
+/// A core whose support points are vertices that can be named and found again: what a primal warm start needs.
+template <class Core>
+concept VertexCore = ConvexCore<Core> && requires(const Core& core, VertexId vertex) {
+  { core.Vertex(vertex) } -> std::convertible_to<Vector3<typename Core::Scalar>>;
+  { core.VertexCount() } -> std::convertible_to<VertexId>;
+};
+
+/// core + ball(radius). The core is held by value where it is small; use CoreReference for one that is not.
+template <ConvexCore CoreType>
+struct RoundedSet {
+  using Core = CoreType;
+  using Scalar = typename Core::Scalar;
+
+  Core core;
+  Scalar radius = 0;  ///< Metres, >= 0, finite.
+};
+
+template <class Core>
+RoundedSet(Core) -> RoundedSet<Core>;
+template <class Core, class Scalar>
+RoundedSet(Core, Scalar) -> RoundedSet<Core>;
+
+/// A core that lives elsewhere (a polytope with a thousand vertices, shared by many bodies) and outlives this.
+template <ConvexCore CoreType>
+class CoreReference {
+ public:
+  using Scalar = typename CoreType::Scalar;
+
+  CoreReference(const CoreType& core) : core_(&core) {}
+
+  SupportPoint<Scalar> Support(const Vector3<Scalar>& direction) const { return core_->Support(direction); }
+  decltype(auto) Center() const { return core_->Center(); }
+  Scalar Inradius() const { return core_->Inradius(); }
+  decltype(auto) Vertex(VertexId vertex) const requires VertexCore<CoreType> { return core_->Vertex(vertex); }
+  VertexId VertexCount() const requires VertexCore<CoreType> { return core_->VertexCount(); }
+  Scalar Distance(const Vector3<Scalar>& point) const { return core_->Distance(point); }
+  template <class Face>
+  void SupportFace(const Vector3<Scalar>& direction, Face& face) const {
+    core_->SupportFace(direction, face);
+  }
+
+ private:
+  const CoreType* core_;
+};
+
+/// Throws std::invalid_argument naming `what` and the value unless it is finite and at least (or above) zero.
+template <class Scalar>
+Scalar RequireLength(Scalar value, bool may_be_zero, const char* what) {
+  const bool valid = std::isfinite(value) && (may_be_zero ? value >= 0 : value > 0);
+  if (!valid) {
+    throw std::invalid_argument(std::string(what) +
+                                (may_be_zero ? " must be finite and >= 0" : " must be finite and > 0") +
+                                ", in metres; got " + std::to_string(value));
+  }
+  return value;
+}
+
+/// Throws std::invalid_argument naming `what` unless all coordinates are finite.
+template <class Scalar>
+const Vector3<Scalar>& RequireFinite(const Vector3<Scalar>& point, const char* what) {
+  if (!point.allFinite()) {
+    throw std::invalid_argument(std::string(what) + " must be finite, in metres; got (" + std::to_string(point.x()) +
+                                ", " + std::to_string(point.y()) + ", " + std::to_string(point.z()) + ")");
+  }
+  return point;
+}
+
+}  // namespace dgd

@@ -1,0 +1,118 @@
+// The door to the solver: growth distance, collision check, and the state that warm-starts either.
+//
+// The growth distance of two convex sets is the smallest common scale at which they touch, each scaled about its own
+// centre: below 1 they overlap, at 1 they touch, above 1 they are apart (paper, Def. 3). The functions here are
+// templates over the two sets, so that nothing virtual is called inside an iteration; a caller with many types of sets
+// erases them once, around the call.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "dgd/convex_set.h"
+#include "dgd/ray/tolerances.h"
+#include "dgd/types.h"
+
+namespace dgd {
+
+/// How a query ended. Every field of the result is set whatever the status.
+enum class Status : std::uint8_t {
+  kOptimal,            ///< The bounds agree within the tolerance.
+  kSeparated,          ///< Stopped early: apart by more than asked for, along `normal`.
+  kColliding,          ///< Collision check only: a common point is certain.
+  kTouching,           ///< Collision check only: the bounds agree within the tolerance, and 1 lies between them.
+  kCoincidentCenters,  ///< The centres coincide within rounding: growth distance 0, and any normal is as good.
+  kIterationLimit,     ///< The bounds are valid but apart by more than the tolerance.
+  kStalled,            ///< As kIterationLimit: rounding allows no further progress.
+  kNoInterior,         ///< Neither set has an interior: no growth distance exists (paper, Rem. 1).
+  kInvalidInput,       ///< NaN or infinity in a pose, radius or core. No other field is usable.
+};
+
+template <class S>
+struct Settings {
+  /// Largest relative gap upper_bound / lower_bound - 1 of an optimal result; > 0. Polytopes reach rounding error
+  /// whatever this is (paper, Sec. III-C4).
+  S relative_tolerance = kSqrtEpsilon<S>;
+  /// Most evaluations of the support functions; >= 1.
+  int max_iterations = 100;
+  /// Stop with kSeparated once the sets are certain to be farther apart than this; metres, >= 0, infinite for never.
+  /// With a warm start the last normal is tried before anything else: a pair that stays apart costs one evaluation.
+  S separation_limit = std::numeric_limits<S>::infinity();
+};
+
+template <class S>
+struct Result {
+  Status status = Status::kInvalidInput;
+  int iterations = 0;  ///< Evaluations of the support functions.
+
+  /// Bounds on the growth distance, dimensionless, 0 <= lower <= upper. The upper one is reached by the witness points
+  /// (primal), the lower one is proven by the normal (dual). 0 and infinite if unknown.
+  S lower_bound = 0;
+  S upper_bound = std::numeric_limits<S>::infinity();
+
+  /// Unit vector from set 1 to set 2 in the world, normal to the plane that proves the lower bound. The exact contact
+  /// normal where the sets touch; elsewhere it depends on the centres.
+  Vector3<S> normal = Vector3<S>::UnitX();
+  /// Distance of the sets along `normal` between their supporting planes, metres, certain: if positive, they are at
+  /// least this far apart; if negative, moving set 2 by its absolute value along `normal` makes them touch.
+  S separation = 0;
+
+  /// Points of set 1 and set 2 in the world, metres, that coincide when both sets are scaled by upper_bound about
+  /// their centres (paper, eq. primal-optimal-from-ray-intersection). kSeparated may leave upper_bound infinite: the
+  /// points are the sets' support points along and against the normal then.
+  Vector3<S> witness_1 = Vector3<S>::Zero();
+  Vector3<S> witness_2 = Vector3<S>::Zero();
+
+  /// The growth distance: the primal value, never below the true one.
+  S GrowthDistance() const { return upper_bound; }
+  /// upper_bound / lower_bound - 1.
+  S RelativeGap() const { return upper_bound / lower_bound - 1; }
+};
+
+/// State of one pair of sets from one query to the next, in this order of the sets; default-made for a cold start.
+/// Stays correct (a start is only a start) whatever happened to the sets in between, but for vertices that no longer
+/// exist, which are ignored.
+template <class S>
+struct WarmStart {
+  Vector3<S> normal_1 = Vector3<S>::Zero();  ///< Last normal, in set 1's frame; zero for none.
+  std::array<VertexId, 3> vertices_1{};      ///< Last basis of the inner approximation ...
+  std::array<VertexId, 3> vertices_2{};      ///< ... by the vertices of the two cores.
+  std::int32_t size = 0;                     ///< Points in the basis; 0 if the sets were apart by more than asked for.
+};
+static_assert(sizeof(WarmStart<double>) <= 128, "must fit into a Bullet algorithm object beside the rest");
+
+/// Growth distance of two sets in their poses.
+/// @param pose_1, pose_2  Of the sets in the world.
+/// @param warm_start      In and out; nullptr for a cold start that remembers nothing.
+/// Allocates nothing and does not throw. Alg. 3 of the paper.
+template <class Set1, class Set2>
+Result<typename Set1::Scalar> GrowthDistance(const Set1& set_1, const Pose<typename Set1::Scalar>& pose_1,
+                                             const Set2& set_2, const Pose<typename Set1::Scalar>& pose_2,
+                                             const Settings<typename Set1::Scalar>& settings = {},
+                                             WarmStart<typename Set1::Scalar>* warm_start = nullptr);
+
+template <class S>
+struct CollisionResult {
+  /// kSeparated, kColliding or kTouching; or one of the failures of Status.
+  Status status = Status::kInvalidInput;
+  int iterations = 0;
+  /// kSeparated: unit normal from set 1 to set 2 of a plane between them, world.
+  Vector3<S> normal = Vector3<S>::UnitX();
+  /// kSeparated: distance of the sets along the normal, metres, > 0.
+  S separation = 0;
+  /// kSeparated: a point on the plane half way between the sets. kColliding: a point of both sets. kTouching: a point
+  /// within the tolerance of both. World, metres.
+  Vector3<S> point = Vector3<S>::Zero();
+};
+
+/// Whether two sets have a point in common; stops as soon as a bound crosses 1 (paper, Sec. III-D4). Parameters as for
+/// GrowthDistance, whose warm start it shares.
+template <class Set1, class Set2>
+CollisionResult<typename Set1::Scalar> DetectCollision(const Set1& set_1, const Pose<typename Set1::Scalar>& pose_1,
+                                                       const Set2& set_2, const Pose<typename Set1::Scalar>& pose_2,
+                                                       const Settings<typename Set1::Scalar>& settings = {},
+                                                       WarmStart<typename Set1::Scalar>* warm_start = nullptr);
+
+}  // namespace dgd
+
+#include "dgd/ray/ray_intersection.h"

@@ -1,0 +1,281 @@
+// The inner approximation: the feature of conv(support points) + ball through which the ray leaves it.
+//
+// The paper (Sec. III-C2) keeps a basis of three points of C whose triangle the ray crosses, and replaces one of them
+// by the new support point with a step of the simplex method. We depart from it where the sets have a radius R:
+//
+//   Rounded inner approximation. C = K + ball(R), K the difference of the cores. For any points S of K, conv(S) +
+//   ball(R) lies in C, so the height at which the ray leaves it is a lower bound on the ray intersection. The ray
+//   leaves it on the offset of exactly one feature of conv(S): a vertex (a ball of radius R), an edge (a cylinder) or a
+//   triangle (a plane), and the normal there is the next direction to search. Each has a closed form.
+//
+//   Update. Let h be the old height, reached on a feature F with normal n, and w the support point of K along n. If
+//   <n, w> exceeds the value on F, the old exit point is interior to conv(F, w) + ball(R), so the ray now leaves it
+//   higher, and through a feature that has w among its vertices: one without w belongs to conv(F) and cannot be higher
+//   than h. The new basis is therefore the highest of the features of conv(F, w) that contain w and that the ray
+//   crosses (at most three triangles, three edges and w itself). Otherwise F is optimal.
+//
+//   Termination. Heights rise strictly and K of a polytope pair has finitely many vertices, so rounded polytopes end
+//   after finitely many steps, as sharp ones do; with the ball in the support function they only converge in the limit.
+//
+// Without a radius only triangles can carry the ray, and the update is the paper's simplex step: the plane is divided
+// by the rays from the origin through the three projected points, and -w lies in one of the three wedges; the two
+// points that span it stay. That is the ratio test (eq. outgoing index) in barycentric coordinates of the projected
+// points.
+//
+// All coordinates are in the ray frame: x, y across the ray, z the height along it.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "dgd/ray/minkowski_difference.h"
+#include "dgd/ray/tolerances.h"
+
+namespace dgd {
+
+template <class S>
+class InnerApproximation {
+ public:
+  /// Starts at the difference of the centres, which belongs to the cores' difference: for rounding > 0.
+  static InnerApproximation FromCenter(S rounding) {
+    InnerApproximation approximation;
+    approximation.rounding_ = rounding;
+    approximation.size_ = 1;
+    approximation.weights_ = {1, 0, 0};
+    approximation.height_ = rounding;
+    return approximation;
+  }
+
+  /// Starts with a triangle in the ball of `inradius` inside C (paper, eq. inner-approximation-initialization), for
+  /// sets without rounding. Set 1 contributes `share_1` of each point.
+  static InnerApproximation FromInradius(S inradius, S share_1) {
+    // The ray crosses the triangle's middle half way up the ball.
+    const S height = inradius / 2;
+    const S lateral = std::sqrt(S(0.75)) * inradius;
+    InnerApproximation approximation;
+    approximation.size_ = 3;
+    const S cosines[3] = {1, S(-0.5), S(-0.5)};
+    const S sines[3] = {0, std::sqrt(S(0.75)), -std::sqrt(S(0.75))};
+    for (std::size_t i = 0; i < 3; ++i) {
+      DifferencePoint<S>& corner = approximation.points_[i];
+      corner.point = {lateral * cosines[i], lateral * sines[i], height};
+      corner.on_1 = share_1 * corner.point;
+    }
+    approximation.weights_ = {S(1) / 3, S(1) / 3, S(1) / 3};
+    approximation.height_ = height;
+    return approximation;
+  }
+
+  /// Adds a point of the cores' difference and keeps the feature through which the ray now leaves.
+  /// @return whether the approximation changed; its height never falls. False also where rounding leaves no feature.
+  bool Insert(const DifferencePoint<S>& added) { return rounding_ > 0 ? InsertRounded(added) : InsertSharp(added); }
+
+  /// Takes over a whole basis, one to three points of the cores' difference that were the feature of an earlier query,
+  /// if the ray leaves through the same feature, not lower than so far.
+  bool AdoptBasis(const std::array<DifferencePoint<S>, 3>& basis, int size) {
+    if (size < 1 || (rounding_ == 0 && size < 3)) return false;
+    InnerApproximation candidate = *this;
+    candidate.points_ = basis;
+    const DifferencePoint<S>& last = basis[static_cast<std::size_t>(size - 1)];
+    Exit exit;
+    const bool found = size == 3   ? candidate.TriangleExit(0, 1, last.point, exit)
+                       : size == 2 ? candidate.EdgeExit(0, last.point, exit)
+                                   : candidate.VertexExit(last.point, exit);
+    if (!found || !candidate.Adopt(exit, last)) return false;
+    *this = candidate;
+    return true;
+  }
+
+  /// Lower bound on the height at which the ray leaves C, metres.
+  S Height() const { return height_; }
+  /// Outward unit normal of the approximation where the ray leaves it; z > 0 but for rounding.
+  const Vector3<S>& Normal() const { return normal_; }
+  /// Points of the feature, Size() of them, counterclockwise about the ray if three.
+  const DifferencePoint<S>& operator[](int i) const { return points_[static_cast<std::size_t>(i)]; }
+  int Size() const { return size_; }
+
+  /// The cores' points whose difference is the feature's point under the exit: convex combinations (eq.
+  /// primal-optimal).
+  Vector3<S> CorePoint1() const {
+    return Combine([](const DifferencePoint<S>& point) { return point.on_1; });
+  }
+  Vector3<S> CorePoint2() const {
+    return Combine([](const DifferencePoint<S>& point) -> Vector3<S> { return point.on_1 - point.point; });
+  }
+
+ private:
+  /// Where the ray leaves the offset of one feature.
+  struct Exit {
+    S height = -1;  // Below any real one: no exit found.
+    Vector3<S> normal = Vector3<S>::UnitZ();
+    std::array<S, 3> weights{};          // Of the points below, convex.
+    std::array<int, 2> kept = {-1, -1};  // Indices into points_; the added point comes last.
+    int size = 0;
+  };
+
+  static S Cross(const Vector3<S>& a, const Vector3<S>& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+  template <class Part>
+  Vector3<S> Combine(Part part) const {
+    Vector3<S> sum = weights_[0] * part(points_[0]);
+    for (std::size_t i = 1; i < static_cast<std::size_t>(size_); ++i) sum += weights_[i] * part(points_[i]);
+    return sum;
+  }
+
+  /// Unit normal of a triangle, upwards; false if the triangle is a sliver seen along the ray or has no area.
+  static bool UpwardNormal(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, Vector3<S>& normal) {
+    normal = (b - a).cross(c - a);
+    const S length = normal.norm();
+    if (!(length > 0)) return false;
+    normal *= std::copysign(1 / length, normal.z());
+    return normal.z() > 0;
+  }
+
+  /// Clamps the weights' rounding and scales them to sum 1; false if the point lies outside or a weight is NaN.
+  static bool Normalize(std::array<S, 3>& weights) {
+    const S sum = weights[0] + weights[1] + weights[2];
+    if (!(std::abs(sum) > 0)) return false;
+    for (S& weight : weights) {
+      weight /= sum;
+      if (!(weight >= -kWeightSlack<S>)) return false;
+      if (weight < 0) weight = 0;
+    }
+    return true;
+  }
+
+  /// Offset triangle: the plane through i, j and the added point, moved by R along its normal.
+  bool TriangleExit(int i, int j, const Vector3<S>& c, Exit& exit) const {
+    const Vector3<S>& a = points_[static_cast<std::size_t>(i)].point;
+    const Vector3<S>& b = points_[static_cast<std::size_t>(j)].point;
+    if (!UpwardNormal(a, b, c, exit.normal)) return false;
+    // The plane moves sideways by the normal's lateral part, and the triangle's border with it.
+    const Vector3<S> shift = rounding_ * exit.normal;
+    const Vector3<S> shifted_a = a + shift, shifted_b = b + shift, shifted_c = c + shift;
+    exit.weights = {Cross(shifted_b, shifted_c), Cross(shifted_c, shifted_a), Cross(shifted_a, shifted_b)};
+    if (!Normalize(exit.weights)) return false;
+    exit.height = exit.weights[0] * shifted_a.z() + exit.weights[1] * shifted_b.z() + exit.weights[2] * shifted_c.z();
+    exit.kept = {i, j};
+    exit.size = 3;
+    return true;
+  }
+
+  /// Offset edge: the cylinder about the segment from i to the added point.
+  bool EdgeExit(int i, const Vector3<S>& b, Exit& exit) const {
+    const Vector3<S>& a = points_[static_cast<std::size_t>(i)].point;
+    const Vector3<S> d = b - a;
+    const S lateral_sq = d.x() * d.x() + d.y() * d.y();
+    if (!(lateral_sq > 0)) return false;  // Along the ray: its upper end is higher.
+    // Nearest approach of the edge's line to the ray, at parameter t0, and the offset's half width there.
+    const S cross = Cross(a, d);
+    const S half_width_sq = rounding_ * rounding_ - cross * cross / lateral_sq;
+    if (!(half_width_sq > 0)) return false;
+    const S t0 = -(a.x() * d.x() + a.y() * d.y()) / lateral_sq;
+    const S length = std::sqrt(lateral_sq + d.z() * d.z());
+    const S lateral = std::sqrt(lateral_sq);
+    const S half_width = std::sqrt(half_width_sq);
+    S t = t0 + half_width * d.z() / (lateral * length);
+    if (!(t >= -kWeightSlack<S> && t <= 1 + kWeightSlack<S>)) return false;
+    t = t < 0 ? S(0) : t > 1 ? S(1) : t;
+    exit.height = a.z() + t0 * d.z() + half_width * length / lateral;
+    exit.normal = {-(a.x() + t * d.x()) / rounding_, -(a.y() + t * d.y()) / rounding_,
+                   half_width * lateral / (length * rounding_)};
+    exit.normal.normalize();
+    exit.weights = {1 - t, t, 0};
+    exit.kept = {i, -1};
+    exit.size = 2;
+    return true;
+  }
+
+  /// Offset vertex: the ball about the added point.
+  bool VertexExit(const Vector3<S>& a, Exit& exit) const {
+    const S half_width_sq = rounding_ * rounding_ - a.x() * a.x() - a.y() * a.y();
+    if (!(half_width_sq > 0)) return false;
+    const S half_width = std::sqrt(half_width_sq);
+    exit.height = a.z() + half_width;
+    exit.normal = Vector3<S>(-a.x(), -a.y(), half_width) / rounding_;
+    exit.weights = {1, 0, 0};
+    exit.size = 1;
+    return true;
+  }
+
+  /// The basis point that the added one most likely replaces: the one whose wedge does not hold -added. `shift` moves
+  /// all points across the ray.
+  int OutgoingIndex(const Vector3<S>& added, const Vector3<S>& shift) const {
+    const Vector3<S> w = added + shift;
+    const S turn_0 = Cross(w, points_[0].point + shift);
+    const S turn_1 = Cross(w, points_[1].point + shift);
+    const S turn_2 = Cross(w, points_[2].point + shift);
+    if (turn_0 >= 0 && turn_1 <= 0) return 2;
+    if (turn_1 >= 0 && turn_2 <= 0) return 0;
+    return 1;
+  }
+
+  bool InsertRounded(const DifferencePoint<S>& added) {
+    const Vector3<S>& w = added.point;
+    Exit best;
+    if (size_ == 3) {
+      // Most steps end here: the likely triangle carries the ray and the dropped point lies below it.
+      const int outgoing = OutgoingIndex(w, rounding_ * normal_);
+      Exit exit;
+      if (TriangleExit((outgoing + 1) % 3, (outgoing + 2) % 3, w, exit)) {
+        const Vector3<S>& dropped = points_[static_cast<std::size_t>(outgoing)].point;
+        if (exit.normal.dot(dropped - w) <= 0) return Adopt(exit, added);
+        best = exit;
+      }
+      for (int i = 1; i < 3; ++i) {
+        if (TriangleExit((outgoing + i + 1) % 3, (outgoing + i + 2) % 3, w, exit)) KeepHigher(exit, best);
+      }
+    } else if (size_ == 2) {
+      Exit exit;
+      if (TriangleExit(0, 1, w, exit)) return Adopt(exit, added);
+    }
+    Exit exit;
+    for (int i = 0; i < size_; ++i) {
+      if (EdgeExit(i, w, exit)) KeepHigher(exit, best);
+    }
+    if (VertexExit(w, exit)) KeepHigher(exit, best);
+    return Adopt(best, added);
+  }
+
+  bool InsertSharp(const DifferencePoint<S>& added) {
+    const int outgoing = OutgoingIndex(added.point, Vector3<S>::Zero());
+    Exit exit;
+    if (!TriangleExit((outgoing + 1) % 3, (outgoing + 2) % 3, added.point, exit)) return false;
+    return Adopt(exit, added);
+  }
+
+  static void KeepHigher(const Exit& exit, Exit& best) {
+    if (exit.height > best.height) best = exit;
+  }
+
+  /// Makes `exit` the basis unless it is lower: the bound is monotone also under rounding. Equal heights are taken:
+  /// where the ray meets an edge of the basis, a simplex step turns the plane without raising it.
+  bool Adopt(const Exit& exit, const DifferencePoint<S>& added) {
+    if (!(exit.height >= height_)) return false;
+    std::array<DifferencePoint<S>, 3> points;
+    for (int i = 0; i + 1 < exit.size; ++i) {
+      points[static_cast<std::size_t>(i)] = points_[static_cast<std::size_t>(exit.kept[static_cast<std::size_t>(i)])];
+    }
+    points[static_cast<std::size_t>(exit.size - 1)] = added;
+    weights_ = exit.weights;
+    // Counterclockwise about the ray, which OutgoingIndex relies on.
+    if (exit.size == 3 && Cross(points[1].point - points[0].point, points[2].point - points[0].point) < 0) {
+      std::swap(points[0], points[1]);
+      std::swap(weights_[0], weights_[1]);
+    }
+    points_ = points;
+    size_ = exit.size;
+    height_ = exit.height;
+    normal_ = exit.normal;
+    return true;
+  }
+
+  std::array<DifferencePoint<S>, 3> points_;
+  std::array<S, 3> weights_{};
+  Vector3<S> normal_ = Vector3<S>::UnitZ();
+  S rounding_ = 0;
+  S height_ = 0;
+  int size_ = 0;
+};
+
+}  // namespace dgd

@@ -1,0 +1,44 @@
+// The outer approximation: the one supporting plane of C that meets the ray lowest (paper, Sec. III-C1).
+#pragma once
+
+#include <limits>
+
+#include "dgd/ray/minkowski_difference.h"
+#include "dgd/types.h"
+
+namespace dgd {
+
+template <class S>
+class OuterApproximation {
+ public:
+  /// Takes the supporting plane <normal, z> <= support_value, which touches C above `support`, if it bounds the ray
+  /// better than all before. Eq. (outer-approximation-update): the bound is v / <lambda, p>, here the plane's height.
+  /// @param normal  Ray frame, unit length, normal.z() > 0.
+  void Cut(const Vector3<S>& normal, S support_value, const DifferencePoint<S>& support) {
+    const S height = support_value / normal.z();
+    // False for NaN, which then leaves the bounds as they are.
+    if (height < height_) {
+      height_ = height;
+      normal_ = normal;
+      support_value_ = support_value;
+      on_1_ = support.on_1;
+    }
+  }
+
+  /// Upper bound on the height at which the ray leaves C, metres; infinite before the first cut.
+  S Height() const { return height_; }
+  /// Unit normal of the best plane, ray frame.
+  const Vector3<S>& Normal() const { return normal_; }
+  /// Support value of C along that normal, metres.
+  S SupportValue() const { return support_value_; }
+  /// Support point of set 1's core along that normal, ray frame about its centre, metres.
+  const Vector3<S>& SupportPoint1() const { return on_1_; }
+
+ private:
+  S height_ = std::numeric_limits<S>::infinity();
+  Vector3<S> normal_ = Vector3<S>::UnitZ();
+  S support_value_ = std::numeric_limits<S>::infinity();
+  Vector3<S> on_1_ = Vector3<S>::Zero();
+};
+
+}  // namespace dgd

@@ -1,0 +1,246 @@
+// Alg. 3 of the paper as named steps; included by growth_distance.h.
+#pragma once
+
+#include "dgd/growth_distance.h"
+#include "dgd/ray/inner_approximation.h"
+#include "dgd/ray/minkowski_difference.h"
+#include "dgd/ray/outer_approximation.h"
+
+namespace dgd {
+
+/// What ends a query besides convergence.
+enum class Question { kDistance, kCollision };
+
+/// One query: the ray from 0 along p against C = C1 - C2 + p, between an inner and an outer approximation.
+template <class Set1, class Set2>
+class RayIntersection {
+ public:
+  using S = typename Set1::Scalar;
+  static_assert(std::is_same_v<S, typename Set2::Scalar>, "both sets must have the same scalar");
+
+  RayIntersection(const Set1& set_1, const Pose<S>& pose_1, const Set2& set_2, const Pose<S>& pose_2,
+                  const Settings<S>& settings)
+      : difference_(set_1, pose_1, set_2, pose_2), settings_(settings) {}
+
+  Status Solve(Question question, WarmStart<S>* warm_start) {
+    if (!difference_.IsFinite()) return Status::kInvalidInput;
+    if (!(difference_.Inradius() > 0)) return Status::kNoInterior;
+    const bool coincident = difference_.Length() <= kCoincidence<S> * difference_.Inradius();
+    const Status status = coincident ? MeasureAlongAnyNormal(warm_start) : Iterate(question, warm_start);
+    if (warm_start != nullptr) Remember(status, *warm_start);
+    return status;
+  }
+
+  int Iterations() const { return iterations_; }
+  S LowerBound() const { return coincident_ ? S(0) : difference_.Length() / outer_.Height(); }
+  S UpperBound() const { return coincident_ ? S(0) : difference_.Length() / inner_.Height(); }
+  Vector3<S> Normal() const { return difference_.DirectionToWorld(outer_.Normal()); }
+  /// Distance of the supporting planes along the normal, metres.
+  S Separation() const { return outer_.Normal().z() * difference_.Length() - outer_.SupportValue(); }
+
+  Vector3<S> Witness1() const {
+    return coincident_ ? difference_.Center1() : difference_.World1(inner_.CorePoint1(), inner_.Normal());
+  }
+  Vector3<S> Witness2() const {
+    return coincident_ ? difference_.Center2() : difference_.World2(inner_.CorePoint2(), inner_.Normal());
+  }
+  /// Where the witness points meet when the sets are scaled by the upper bound about their centres: a point of both
+  /// sets if that is at most 1.
+  Vector3<S> MeetingPoint() const {
+    return difference_.Center1() + UpperBound() * (Witness1() - difference_.Center1());
+  }
+  /// A point half way between the supporting planes along the normal.
+  Vector3<S> PointBetween() const {
+    return difference_.World1(outer_.SupportPoint1(), outer_.Normal()) + Separation() / 2 * Normal();
+  }
+
+ private:
+  /// With p = 0 the growth distance is 0 and every direction is a normal: take the last one, or x.
+  Status MeasureAlongAnyNormal(const WarmStart<S>* warm_start) {
+    coincident_ = true;
+    iterations_ = 1;
+    Vector3<S> normal = Vector3<S>::UnitX();
+    if (warm_start != nullptr && warm_start->normal_1.squaredNorm() > 0) {
+      normal = difference_.DirectionToFrame(warm_start->normal_1);
+    }
+    // The outer approximation cuts a ray: of the two directions, the one along it.
+    normal.z() = std::max(std::abs(normal.z()), kEpsilon<S>);
+    CutAlong(normal.normalized());
+    return Status::kCoincidentCenters;
+  }
+
+  [[gnu::flatten]] Status Iterate(Question question, const WarmStart<S>* warm_start) {
+    InitializeInner();
+    if (warm_start != nullptr) AdoptLastBasis(*warm_start);
+    for (;;) {
+      const Vector3<S> normal = inner_.Normal();
+      if (!(normal.z() > 0)) return Status::kStalled;  // Also for NaN.
+      const DifferencePoint<S> added = CutAlong(normal);
+      if (const Status status = Verdict(question); status != kGoOn) return status;
+      if (iterations_ >= settings_.max_iterations) return Status::kIterationLimit;
+      if (!inner_.Insert(added)) return Status::kStalled;
+    }
+  }
+
+  /// Alg. 1: the difference of the centres if there is a ball about it, else a triangle in the inradius.
+  void InitializeInner() {
+    inner_ = difference_.Rounding() > 0
+                 ? InnerApproximation<S>::FromCenter(difference_.Rounding())
+                 : InnerApproximation<S>::FromInradius(difference_.Inradius(), difference_.InradiusShare1());
+  }
+
+  /// Alg. 2, lines 1 and 2: support point and outer update.
+  DifferencePoint<S> CutAlong(const Vector3<S>& normal) {
+    ++iterations_;
+    const DifferencePoint<S> added = difference_.Support(normal);
+    outer_.Cut(normal, normal.dot(added.point) + difference_.Rounding(), added);
+    return added;
+  }
+
+  /// Primal warm start (Sec. III-D3): the last basis, moved with the sets, goes into the inner approximation; all at
+  /// once if it still carries the ray, else point by point.
+  void AdoptLastBasis(const WarmStart<S>& warm_start) {
+    if constexpr (VertexCore<typename Set1::Core> && VertexCore<typename Set2::Core>) {
+      std::array<DifferencePoint<S>, 3> basis;
+      int size = 0;
+      for (std::size_t i = 0; i < static_cast<std::size_t>(warm_start.size); ++i) {
+        if (!difference_.HasVertices(warm_start.vertices_1[i], warm_start.vertices_2[i])) continue;
+        basis[static_cast<std::size_t>(size++)] =
+            difference_.FromVertices(warm_start.vertices_1[i], warm_start.vertices_2[i]);
+      }
+      if (inner_.AdoptBasis(basis, size)) return;
+      for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) inner_.Insert(basis[i]);
+    }
+  }
+
+  Status Verdict(Question question) const {
+    if (Separation() > settings_.separation_limit) return Status::kSeparated;
+    const bool converged = outer_.Height() <= inner_.Height() * (1 + settings_.relative_tolerance);
+    if (question == Question::kCollision) {
+      if (inner_.Height() >= difference_.Length()) return Status::kColliding;
+      if (outer_.Height() < difference_.Length()) return Status::kSeparated;
+      return converged ? Status::kTouching : kGoOn;
+    }
+    return converged ? Status::kOptimal : kGoOn;
+  }
+
+  /// A pair that is apart remembers its normal only: the next query tries that first, and needs no basis then.
+  void Remember(Status status, WarmStart<S>& warm_start) const {
+    warm_start.normal_1 = difference_.DirectionToSet1(outer_.Normal());
+    warm_start.size = 0;
+    if (status == Status::kSeparated) return;
+    for (int i = 0; i < inner_.Size(); ++i) {
+      if (inner_[i].vertex_1 == kNoVertex || inner_[i].vertex_2 == kNoVertex) continue;
+      const auto slot = static_cast<std::size_t>(warm_start.size++);
+      warm_start.vertices_1[slot] = inner_[i].vertex_1;
+      warm_start.vertices_2[slot] = inner_[i].vertex_2;
+    }
+  }
+
+  /// Not a status that a query ends with: the bounds have not decided yet.
+  static constexpr Status kGoOn = Status::kInvalidInput;
+
+  MinkowskiDifference<Set1, Set2> difference_;
+  const Settings<S>& settings_;
+  InnerApproximation<S> inner_;
+  OuterApproximation<S> outer_;
+  int iterations_ = 0;
+  bool coincident_ = false;
+};
+
+/// Tries the normal along which the sets were apart at the last query, before any frame is made: two evaluations of
+/// support functions and a few dot products decide most pairs of a broadphase, which are apart and stay so.
+/// @return whether the sets are farther apart along it than `limit`; the result then says so.
+template <class Set1, class Set2>
+[[gnu::flatten]] bool SeparatedAlongLastNormal(const Set1& set_1, const Pose<typename Set1::Scalar>& pose_1,
+                                               const Set2& set_2, const Pose<typename Set1::Scalar>& pose_2,
+                                               typename Set1::Scalar limit,
+                                               const WarmStart<typename Set1::Scalar>& warm_start,
+                                               Result<typename Set1::Scalar>& result) {
+  using S = typename Set1::Scalar;
+  const Vector3<S>& normal_1 = warm_start.normal_1;
+  const Vector3<S> normal = pose_1.rotation * normal_1;
+  const Vector3<S> normal_2 = pose_2.rotation.transpose() * -normal;
+  const Vector3<S> support_1 = set_1.core.Support(normal_1).point;
+  const Vector3<S> support_2 = set_2.core.Support(normal_2).point;
+  const S separation = normal.dot(pose_2.translation - pose_1.translation) - normal_1.dot(support_1) -
+                       normal_2.dot(support_2) - set_1.radius - set_2.radius;
+  if (!(separation > limit)) return false;  // Also for NaN, and for the zero normal of a cold start.
+
+  result.status = Status::kSeparated;
+  result.iterations = 1;
+  result.normal = normal;
+  result.separation = separation;
+  result.witness_1 = pose_1 * support_1 + set_1.radius * normal;
+  result.witness_2 = pose_2 * support_2 - set_2.radius * normal;
+  const S along_centers =
+      normal.dot(pose_2 * Vector3<S>(set_2.core.Center()) - pose_1 * Vector3<S>(set_1.core.Center()));
+  result.lower_bound = along_centers / (along_centers - separation);
+  return true;
+}
+
+template <class Set1, class Set2>
+[[gnu::flatten]] Result<typename Set1::Scalar> GrowthDistance(const Set1& set_1,
+                                                              const Pose<typename Set1::Scalar>& pose_1,
+                                                              const Set2& set_2,
+                                                              const Pose<typename Set1::Scalar>& pose_2,
+                                                              const Settings<typename Set1::Scalar>& settings,
+                                                              WarmStart<typename Set1::Scalar>* warm_start) {
+  Result<typename Set1::Scalar> result;
+  if (warm_start != nullptr && warm_start->size == 0 &&
+      SeparatedAlongLastNormal(set_1, pose_1, set_2, pose_2, settings.separation_limit, *warm_start, result)) {
+    return result;
+  }
+  RayIntersection<Set1, Set2> query(set_1, pose_1, set_2, pose_2, settings);
+  result.status = query.Solve(Question::kDistance, warm_start);
+  result.iterations = query.Iterations();
+  if (result.status == Status::kInvalidInput || result.status == Status::kNoInterior) return result;
+  result.lower_bound = query.LowerBound();
+  result.upper_bound = query.UpperBound();
+  result.normal = query.Normal();
+  result.separation = query.Separation();
+  result.witness_1 = query.Witness1();
+  result.witness_2 = query.Witness2();
+  return result;
+}
+
+template <class Set1, class Set2>
+CollisionResult<typename Set1::Scalar> DetectCollision(const Set1& set_1, const Pose<typename Set1::Scalar>& pose_1,
+                                                       const Set2& set_2, const Pose<typename Set1::Scalar>& pose_2,
+                                                       const Settings<typename Set1::Scalar>& settings,
+                                                       WarmStart<typename Set1::Scalar>* warm_start) {
+  using S = typename Set1::Scalar;
+  CollisionResult<S> result;
+  Result<S> apart;
+  if (warm_start != nullptr && warm_start->size == 0 &&
+      SeparatedAlongLastNormal(set_1, pose_1, set_2, pose_2, S(0), *warm_start, apart)) {
+    result.status = Status::kSeparated;
+    result.iterations = apart.iterations;
+    result.normal = apart.normal;
+    result.separation = apart.separation;
+    result.point = apart.witness_1 + apart.separation / 2 * apart.normal;
+    return result;
+  }
+  RayIntersection<Set1, Set2> query(set_1, pose_1, set_2, pose_2, settings);
+  result.status = query.Solve(Question::kCollision, warm_start);
+  result.iterations = query.Iterations();
+  switch (result.status) {
+    case Status::kSeparated:
+      result.normal = query.Normal();
+      result.separation = query.Separation();
+      result.point = query.PointBetween();
+      break;
+    case Status::kCoincidentCenters:
+      result.status = Status::kColliding;
+      [[fallthrough]];
+    case Status::kColliding:
+    case Status::kTouching:
+      result.point = query.MeetingPoint();
+      break;
+    default:
+      break;
+  }
+  return result;
+}
+
+}  // namespace dgd

@@ -1,0 +1,34 @@
+// The solver's small numbers, each with what it bounds.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace dgd {
+
+template <class S>
+inline constexpr S kEpsilon = std::numeric_limits<S>::epsilon();
+
+/// Square root of epsilon: the default relative gap (paper, Sec. IV-A). Written out because std::sqrt is not constexpr.
+template <class S>
+inline constexpr S kSqrtEpsilon = S(1.4901161193847656e-8);
+template <>
+inline constexpr float kSqrtEpsilon<float> = 3.4526698e-4f;
+
+/// Smallest sum of radii, relative to the inradii of the cores, that the rounded inner approximation takes. Its edge
+/// and vertex normals have an error of about epsilon * size / radius; below this, the radius goes into the support
+/// function. Test: RayIntersection_TinyRadius_*.
+template <class S>
+inline constexpr S kMinRounding = kSqrtEpsilon<S>;
+
+/// Barycentric weights down to minus this are rounding of a point on the feature's border and count as zero. They cost
+/// at most this times the feature's size in primal feasibility.
+template <class S>
+inline constexpr S kWeightSlack = 16 * kEpsilon<S>;
+
+/// Centres nearer than this part of the inradii coincide: the growth distance is then below it, and the direction
+/// between the centres is rounding.
+template <class S>
+inline constexpr S kCoincidence = kEpsilon<S>;
+
+}  // namespace dgd

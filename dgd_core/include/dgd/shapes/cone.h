@@ -1,0 +1,69 @@
+// A cone about the z axis: apex up, base down, the frame's origin half way between them.
+#pragma once
+
+#include <algorithm>
+
+#include "dgd/convex_set.h"
+#include "dgd/shapes/disc.h"
+#include "dgd/supporting_face.h"
+
+namespace dgd {
+
+template <class S>
+class Cone {
+ public:
+  using Scalar = S;
+
+  /// @param radius  Of the base disc at z = -height / 2; metres, >= 0.
+  /// @param height  Base to apex (0, 0, height / 2); metres, >= 0. A zero makes a disc, a segment or a point.
+  Cone(S radius, S height)
+      : radius_(RequireLength(radius, true, "cone radius")), height_(RequireLength(height, true, "cone height")) {}
+
+  SupportPoint<S> Support(const Vector3<S>& direction) const {
+    // The apex beats the rim where height * d_z > radius * |d_xy|.
+    const S lateral = std::sqrt(direction.x() * direction.x() + direction.y() * direction.y());
+    if (height_ * direction.z() > radius_ * lateral) return {Vector3<S>(0, 0, height_ / 2)};
+    return {DiscSupport(direction, radius_, -height_ / 2)};
+  }
+
+  /// The centroid, a quarter of the height above the base.
+  Vector3<S> Center() const { return {0, 0, -height_ / 4}; }
+  S Inradius() const {
+    const S slant = std::hypot(radius_, height_);
+    return slant > 0 ? std::min(height_ / 4, height_ * S(0.75) * radius_ / slant) : S(0);
+  }
+
+  /// Distance of `point` to the core, metres; 0 inside. In the half plane through the axis the cone is a triangle.
+  S Distance(const Vector3<S>& point) const {
+    const S lateral = std::hypot(point.x(), point.y());
+    const S above_base = point.z() + height_ / 2;
+    const S slant_sq = radius_ * radius_ + height_ * height_;
+    // Distance to the side, the segment from the rim (radius, 0) to the apex (0, height).
+    const S along =
+        slant_sq > 0 ? std::clamp(((radius_ - lateral) * radius_ + above_base * height_) / slant_sq, S(0), S(1)) : S(0);
+    const S to_side = std::hypot(lateral - radius_ * (1 - along), above_base - height_ * along);
+    const bool below_side = height_ * lateral + radius_ * above_base <= height_ * radius_;
+    if (below_side && above_base >= 0) return 0;
+    const S to_base = std::hypot(std::max(lateral - radius_, S(0)), above_base);
+    return std::min(to_side, to_base);
+  }
+
+  /// The base, or the line on the side, that is nearer to facing `direction`.
+  void SupportFace(const Vector3<S>& direction, SupportingFace<S>& face) const {
+    const S lateral = std::hypot(direction.x(), direction.y());
+    const S slant = std::hypot(radius_, height_);
+    const S facing_side = slant > 0 ? (height_ * lateral + radius_ * direction.z()) / slant : S(0);
+    if (-direction.z() >= facing_side) {
+      AddDisc(direction, radius_, -height_ / 2, face);
+    } else {
+      face.Add(Vector3<S>(0, 0, height_ / 2));
+      face.Add(DiscSupport(direction, radius_, -height_ / 2));
+    }
+  }
+
+ private:
+  S radius_;
+  S height_;
+};
+
+}  // namespace dgd

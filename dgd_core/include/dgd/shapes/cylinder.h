@@ -1,0 +1,51 @@
+// A cylinder about the z axis, centred.
+#pragma once
+
+#include <algorithm>
+
+#include "dgd/convex_set.h"
+#include "dgd/shapes/disc.h"
+#include "dgd/supporting_face.h"
+
+namespace dgd {
+
+template <class S>
+class Cylinder {
+ public:
+  using Scalar = S;
+
+  /// @param radius       Metres, >= 0.
+  /// @param half_height  Metres, >= 0. A zero makes a disc, a segment or a point.
+  Cylinder(S radius, S half_height)
+      : radius_(RequireLength(radius, true, "cylinder radius")),
+        half_height_(RequireLength(half_height, true, "cylinder half height")) {}
+
+  SupportPoint<S> Support(const Vector3<S>& direction) const {
+    return {DiscSupport(direction, radius_, std::copysign(half_height_, direction.z()))};
+  }
+  Vector3<S> Center() const { return Vector3<S>::Zero(); }
+  S Inradius() const { return std::min(radius_, half_height_); }
+
+  /// Distance of `point` to the core, metres; 0 inside.
+  S Distance(const Vector3<S>& point) const {
+    const S outside_side = std::max(std::hypot(point.x(), point.y()) - radius_, S(0));
+    const S outside_cap = std::max(std::abs(point.z()) - half_height_, S(0));
+    return std::hypot(outside_side, outside_cap);
+  }
+
+  /// The cap or the line on the side that is nearer to facing `direction`.
+  void SupportFace(const Vector3<S>& direction, SupportingFace<S>& face) const {
+    if (std::abs(direction.z()) >= std::hypot(direction.x(), direction.y())) {
+      AddDisc(direction, radius_, std::copysign(half_height_, direction.z()), face);
+    } else {
+      face.Add(DiscSupport(direction, radius_, half_height_));
+      face.Add(DiscSupport(direction, radius_, -half_height_));
+    }
+  }
+
+ private:
+  S radius_;
+  S half_height_;
+};
+
+}  // namespace dgd

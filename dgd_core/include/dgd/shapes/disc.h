@@ -1,0 +1,38 @@
+// Discs orthogonal to the z axis: the caps of cylinders and the base of cones.
+#pragma once
+
+#include <cmath>
+
+#include "dgd/supporting_face.h"
+#include "dgd/types.h"
+
+namespace dgd {
+
+/// The point of the disc of `radius` about (0, 0, z) farthest along `direction`; its centre's +x side if the direction
+/// has no part in the disc's plane.
+template <class S>
+Vector3<S> DiscSupport(const Vector3<S>& direction, S radius, S z) {
+  const S lateral = std::sqrt(direction.x() * direction.x() + direction.y() * direction.y());
+  // False for NaN, and where squaring underflowed: any rim point is as high as another then, up to rounding.
+  if (!(lateral > 0)) return {radius, 0, z};
+  const S scale = radius / lateral;
+  return {direction.x() * scale, direction.y() * scale, z};
+}
+
+/// Points of the inscribed polygon that stands for a disc in a contact patch.
+inline constexpr int kDiscPoints = 8;
+
+/// Adds the disc's inscribed polygon, one of whose corners is the support point along `direction`.
+template <class S>
+void AddDisc(const Vector3<S>& direction, S radius, S z, SupportingFace<S>& face) {
+  static_assert(kDiscPoints <= SupportingFace<S>::kMaxPoints);
+  static const S kCosine = std::cos(S(2 * EIGEN_PI / kDiscPoints));
+  static const S kSine = std::sin(S(2 * EIGEN_PI / kDiscPoints));
+  Vector3<S> corner = DiscSupport(direction, radius, z);
+  for (int i = 0; i < kDiscPoints; ++i) {
+    face.Add(corner);
+    corner = Vector3<S>(kCosine * corner.x() - kSine * corner.y(), kSine * corner.x() + kCosine * corner.y(), z);
+  }
+}
+
+}  // namespace dgd

@@ -1,0 +1,24 @@
+// The flat part of a core's surface that faces a direction: what two bodies in contact lie on.
+#pragma once
+
+#include <array>
+
+#include "dgd/types.h"
+
+namespace dgd {
+
+/// A convex polygon (three points or more, in order around it), a segment (two) or a point (one), in the core's frame.
+/// It holds the support point of the direction it was asked for, or a point of the same height within the core's own
+/// discretisation (discs are given as inscribed polygons).
+template <class Scalar>
+struct SupportingFace {
+  /// A facet with more vertices is thinned to so many: enough for a disc whose rim deviates by 2 % of its radius.
+  static constexpr int kMaxPoints = 16;
+
+  std::array<Vector3<Scalar>, kMaxPoints> points;
+  int size = 0;
+
+  void Add(const Vector3<Scalar>& point) { points[static_cast<std::size_t>(size++)] = point; }
+};
+
+}  // namespace dgd

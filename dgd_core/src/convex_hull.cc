@@ -1,0 +1,292 @@
+#include "dgd/convex_hull.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+extern "C" {
+#include <libqhull_r/qhull_ra.h>
+}
+
+namespace dgd {
+namespace {
+
+using Eigen::Vector3d;
+
+void RequireFinitePoints(std::span<const Vector3d> points) {
+  if (points.empty()) throw std::invalid_argument("a convex hull needs at least one point; got none");
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].allFinite()) continue;
+    throw std::invalid_argument("hull point " + std::to_string(i) + " must be finite; got (" +
+                                std::to_string(points[i].x()) + ", " + std::to_string(points[i].y()) + ", " +
+                                std::to_string(points[i].z()) + ")");
+  }
+}
+
+/// The affine frame of a point set: a point, then up to three orthonormal axes, each along the farthest remaining
+/// point.
+struct AffineFrame {
+  Vector3d origin;
+  Vector3d axes[3];
+  int dimension = 0;
+};
+
+AffineFrame FindAffineFrame(std::span<const Vector3d> points) {
+  AffineFrame frame;
+  frame.origin = points[0];
+  double extent = 0;
+  for (int dimension = 0; dimension < 3; ++dimension) {
+    Vector3d farthest = Vector3d::Zero();
+    for (const Vector3d& point : points) {
+      Vector3d offset = point - frame.origin;
+      // Twice, since one pass leaves a part of the order of rounding, as large as what a flat set has left.
+      for (int pass = 0; pass < 2; ++pass) {
+        for (int axis = 0; axis < dimension; ++axis) offset -= frame.axes[axis] * frame.axes[axis].dot(offset);
+      }
+      if (offset.squaredNorm() > farthest.squaredNorm()) farthest = offset;
+    }
+    const double distance = farthest.stableNorm();
+    if (dimension == 0) extent = distance;
+    if (!(distance > kFlatness * extent)) break;
+    frame.axes[dimension] = farthest / distance;
+    frame.dimension = dimension + 1;
+  }
+  return frame;
+}
+
+void AddFacet(ConvexHull& hull, const Vector3d& normal, const std::vector<VertexId>& loop) {
+  if (hull.facet_start.empty()) hull.facet_start.push_back(0);
+  hull.normals.push_back(normal);
+  hull.facet_vertices.insert(hull.facet_vertices.end(), loop.begin(), loop.end());
+  hull.facet_start.push_back(static_cast<int>(hull.facet_vertices.size()));
+}
+
+/// Vertex -> facets, by counting sort over facet -> vertices.
+void InvertFacets(ConvexHull& hull) {
+  hull.vertex_start.assign(hull.vertices.size() + 1, 0);
+  for (const VertexId vertex : hull.facet_vertices) ++hull.vertex_start[vertex + 1];
+  std::partial_sum(hull.vertex_start.begin(), hull.vertex_start.end(), hull.vertex_start.begin());
+  hull.vertex_facets.resize(hull.facet_vertices.size());
+  std::vector<int> next = hull.vertex_start;
+  for (std::size_t facet = 0; facet < hull.normals.size(); ++facet) {
+    for (int i = hull.facet_start[facet]; i < hull.facet_start[facet + 1]; ++i) {
+      const VertexId vertex = hull.facet_vertices[static_cast<std::size_t>(i)];
+      hull.vertex_facets[static_cast<std::size_t>(next[vertex]++)] = static_cast<int>(facet);
+    }
+  }
+}
+
+ConvexHull PointHull(std::span<const Vector3d> points) {
+  ConvexHull hull;
+  hull.vertices = {points[0]};
+  hull.center = points[0];
+  return hull;
+}
+
+ConvexHull SegmentHull(std::span<const Vector3d> points, const AffineFrame& frame) {
+  const auto along = [&](const Vector3d& a, const Vector3d& b) { return frame.axes[0].dot(a - b) < 0; };
+  const auto [low, high] = std::minmax_element(points.begin(), points.end(), along);
+  ConvexHull hull;
+  hull.dimension = 1;
+  hull.vertices = {*low, *high};
+  hull.center = (*low + *high) / 2;
+  return hull;
+}
+
+/// Andrew's monotone chain in the plane of the first two axes; the facet is stored once for each side.
+ConvexHull PlanarHull(std::span<const Vector3d> points, const AffineFrame& frame) {
+  struct Projected {
+    double x, y;
+    std::size_t index;
+  };
+  std::vector<Projected> sorted;
+  sorted.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vector3d offset = points[i] - frame.origin;
+    sorted.push_back({frame.axes[0].dot(offset), frame.axes[1].dot(offset), i});
+  }
+  std::sort(sorted.begin(), sorted.end(),
+            [](const Projected& a, const Projected& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  const auto turns_left = [](const Projected& a, const Projected& b, const Projected& c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 0;
+  };
+  std::vector<Projected> loop;
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t floor = loop.size() + 1;
+    for (const Projected& point : sorted) {
+      while (loop.size() > floor && !turns_left(loop[loop.size() - 2], loop.back(), point)) loop.pop_back();
+      loop.push_back(point);
+    }
+    loop.pop_back();
+    std::reverse(sorted.begin(), sorted.end());
+  }
+
+  ConvexHull hull;
+  hull.dimension = 2;
+  std::vector<VertexId> order;
+  for (const Projected& corner : loop) {
+    order.push_back(static_cast<VertexId>(order.size()));
+    hull.vertices.push_back(points[corner.index]);
+  }
+  const Vector3d normal = frame.axes[0].cross(frame.axes[1]);
+  AddFacet(hull, normal, order);
+  std::reverse(order.begin(), order.end());
+  AddFacet(hull, -normal, order);
+
+  double area = 0;
+  Vector3d moment = Vector3d::Zero();
+  for (std::size_t i = 1; i + 1 < hull.vertices.size(); ++i) {
+    const Vector3d edge_1 = hull.vertices[i] - hull.vertices[0];
+    const Vector3d edge_2 = hull.vertices[i + 1] - hull.vertices[0];
+    const double part = normal.dot(edge_1.cross(edge_2));
+    area += part;
+    moment += part * (edge_1 + edge_2) / 3;
+  }
+  hull.center = hull.vertices[0] + moment / area;
+  return hull;
+}
+
+/// Owns a Qhull run: its memory is Qhull's own and is freed in two calls.
+class QhullRun {
+ public:
+  QhullRun() {
+    qh_zero(&qh_, nullptr);
+    messages_ = open_memstream(&text_, &length_);
+  }
+  ~QhullRun() {
+    qh_freeqhull(&qh_, !qh_ALL);
+    int used = 0, total = 0;
+    qh_memfreeshort(&qh_, &used, &total);
+    if (messages_ != nullptr) std::fclose(messages_);
+    std::free(text_);
+  }
+  QhullRun(const QhullRun&) = delete;
+  QhullRun& operator=(const QhullRun&) = delete;
+
+  /// False if Qhull finds the points too flat for a hull. `coordinates` must outlive this.
+  bool Run(std::vector<double>& coordinates) {
+    char command[] = "qhull Pp";
+    return qh_new_qhull(&qh_, 3, static_cast<int>(coordinates.size() / 3), coordinates.data(), False, command, nullptr,
+                        messages_) == qh_ERRnone;
+  }
+
+  qhT* get() { return &qh_; }
+
+ private:
+  qhT qh_;
+  std::FILE* messages_ = nullptr;
+  char* text_ = nullptr;
+  std::size_t length_ = 0;
+};
+
+/// Copies Qhull's facets, with coplanar neighbours merged, and their vertices; `points` are what it was given.
+void CopyFacets(qhT* qh, std::span<const Vector3d> points, ConvexHull& hull) {
+  std::vector<VertexId> renumbered(points.size(), kNoVertex);
+  facetT* facet;
+  FORALLfacet_(qh->facet_list) {
+    setT* ordered = qh_facet3vertex(qh, facet);
+    std::vector<VertexId> loop;
+    vertexT *vertex, **vertexp;
+    FOREACHvertex_(ordered) {
+      const auto point = static_cast<std::size_t>(qh_pointid(qh, vertex->point));
+      if (renumbered[point] == kNoVertex) {
+        renumbered[point] = static_cast<VertexId>(hull.vertices.size());
+        hull.vertices.push_back(points[point]);
+      }
+      loop.push_back(renumbered[point]);
+    }
+    qh_settempfree(qh, &ordered);
+    if (loop.size() < 3) continue;
+
+    // Newell's normal of the loop decides the order: counterclockwise seen from outside.
+    const Vector3d outward(facet->normal[0], facet->normal[1], facet->normal[2]);
+    Vector3d newell = Vector3d::Zero();
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+      newell +=
+          (hull.vertices[loop[i]] - hull.vertices[loop[0]]).cross(hull.vertices[loop[i + 1]] - hull.vertices[loop[0]]);
+    }
+    if (newell.dot(outward) < 0) std::reverse(loop.begin(), loop.end());
+    AddFacet(hull, outward, loop);
+  }
+}
+
+/// Centroid of the volume from tetrahedra over an inner point, then the largest ball about it.
+void FindCenterAndInradius(ConvexHull& hull) {
+  Vector3d inner = Vector3d::Zero();
+  for (const Vector3d& vertex : hull.vertices) inner += vertex / static_cast<double>(hull.vertices.size());
+
+  double volume = 0;
+  Vector3d moment = Vector3d::Zero();
+  for (std::size_t facet = 0; facet < hull.normals.size(); ++facet) {
+    const auto begin = static_cast<std::size_t>(hull.facet_start[facet]);
+    const auto end = static_cast<std::size_t>(hull.facet_start[facet + 1]);
+    const Vector3d a = hull.vertices[hull.facet_vertices[begin]] - inner;
+    for (std::size_t i = begin + 1; i + 1 < end; ++i) {
+      const Vector3d b = hull.vertices[hull.facet_vertices[i]] - inner;
+      const Vector3d c = hull.vertices[hull.facet_vertices[i + 1]] - inner;
+      const double part = a.dot(b.cross(c));
+      volume += part;
+      moment += part * (a + b + c) / 4;
+    }
+  }
+  hull.center = volume > 0 ? Vector3d(inner + moment / volume) : inner;
+
+  // A merged facet is not exactly flat: its innermost vertex bounds the hull from inside.
+  double extent = 0;
+  double inradius = std::numeric_limits<double>::infinity();
+  for (std::size_t facet = 0; facet < hull.normals.size(); ++facet) {
+    for (int i = hull.facet_start[facet]; i < hull.facet_start[facet + 1]; ++i) {
+      const Vector3d offset = hull.vertices[hull.facet_vertices[static_cast<std::size_t>(i)]] - hull.center;
+      inradius = std::min(inradius, hull.normals[facet].dot(offset));
+      extent = std::max(extent, offset.norm());
+    }
+  }
+  // Rounding of Qhull's normals, of the order of its own distance tolerance.
+  constexpr double kRounding = 32 * std::numeric_limits<double>::epsilon();
+  hull.inradius = std::max(0.0, inradius - kRounding * extent);
+}
+
+ConvexHull SolidHull(std::span<const Vector3d> points, const AffineFrame& frame) {
+  // Relative to a point of the set: Qhull's tolerances grow with the distance from the origin.
+  std::vector<double> coordinates;
+  coordinates.reserve(3 * points.size());
+  for (const Vector3d& point : points) {
+    for (int axis = 0; axis < 3; ++axis) coordinates.push_back(point[axis] - frame.origin[axis]);
+  }
+  QhullRun run;
+  if (!run.Run(coordinates)) return PlanarHull(points, frame);
+  ConvexHull hull;
+  hull.dimension = 3;
+  CopyFacets(run.get(), points, hull);
+  FindCenterAndInradius(hull);
+  return hull;
+}
+
+}  // namespace
+
+ConvexHull BuildConvexHull(std::span<const Vector3d> points) {
+  RequireFinitePoints(points);
+  const AffineFrame frame = FindAffineFrame(points);
+  ConvexHull hull;
+  switch (frame.dimension) {
+    case 0:
+      return PointHull(points);
+    case 1:
+      return SegmentHull(points, frame);
+    case 2:
+      hull = PlanarHull(points, frame);
+      break;
+    default:
+      hull = SolidHull(points, frame);
+  }
+  InvertFacets(hull);
+  return hull;
+}
+
+}  // namespace dgd
