@@ -1,0 +1,100 @@
+#include "convex_convex_algorithm.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+#include <BulletCollision/CollisionShapes/btConvexShape.h>
+
+#include <exception>
+
+#include "manifold_writer.h"
+#include "pair_solver.h"
+
+namespace dgd_bullet {
+namespace {
+
+/// The witness point alone: what Bullet's own algorithm would report.
+dgd::ContactPatch<double> WitnessOnly(const dgd::Result<double>& result) {
+  const Vector3 middle = (result.witness_1 + result.witness_2) / 2;
+  dgd::ContactPatch<double> patch;
+  patch.size = 1;
+  patch.points[0] = {middle - result.separation / 2 * result.normal, middle + result.separation / 2 * result.normal,
+                     result.separation};
+  return patch;
+}
+
+const btConvexShape& ShapeOf(const btCollisionObjectWrapper* body) {
+  return *static_cast<const btConvexShape*>(body->getCollisionShape());
+}
+
+}  // namespace
+
+ConvexConvexAlgorithm::ConvexConvexAlgorithm(const btCollisionAlgorithmConstructionInfo& info, Narrowphase& narrowphase)
+    : btCollisionAlgorithm(info), narrowphase_(narrowphase), manifold_(info.m_manifold) {}
+
+ConvexConvexAlgorithm::~ConvexConvexAlgorithm() {
+  if (owns_manifold_) m_dispatcher->releaseManifold(manifold_);
+}
+
+void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* body_0,
+                                             const btCollisionObjectWrapper* body_1, const btDispatcherInfo& info,
+                                             btManifoldResult* output) {
+  if (!HasManifold(body_0, body_1)) return;
+  output->setPersistentManifold(manifold_);
+  switch (const dgd::Status status = FindContacts(body_0, body_1, *output)) {
+    case dgd::Status::kOptimal:
+    case dgd::Status::kSeparated:
+    case dgd::Status::kCoincidentCenters:
+      break;
+    default:
+      narrowphase_.CountFallback(status);
+      narrowphase_.FallBack(*m_dispatcher, body_0, body_1, info, *output);
+  }
+  if (owns_manifold_) output->refreshContactPoints();
+}
+
+bool ConvexConvexAlgorithm::HasManifold(const btCollisionObjectWrapper* body_0,
+                                        const btCollisionObjectWrapper* body_1) {
+  if (manifold_ == nullptr) {
+    manifold_ = m_dispatcher->getNewManifold(body_0->getCollisionObject(), body_1->getCollisionObject());
+    owns_manifold_ = manifold_ != nullptr;
+  }
+  return manifold_ != nullptr;
+}
+
+dgd::Status ConvexConvexAlgorithm::FindContacts(const btCollisionObjectWrapper* body_0,
+                                                const btCollisionObjectWrapper* body_1, btManifoldResult& output) try {
+  const PosedShape shape_a = AdaptShape(ShapeOf(body_0), body_0->getWorldTransform(), narrowphase_.hulls(), hull_0_);
+  const PosedShape shape_b = AdaptShape(ShapeOf(body_1), body_1->getWorldTransform(), narrowphase_.hulls(), hull_1_);
+  const double breaking_threshold = double(manifold_->getContactBreakingThreshold());
+  const double contact_distance = breaking_threshold + double(output.m_closestPointDistanceThreshold);
+
+  dgd::Settings<double> settings;
+  settings.relative_tolerance = narrowphase_.options().relative_tolerance;
+  settings.max_iterations = narrowphase_.options().max_iterations;
+  settings.separation_limit = contact_distance;
+  const dgd::Result<double> result = SolvePair(shape_a, shape_b, settings, warm_start_);
+
+  const bool patch_wanted = narrowphase_.options().contact_patch;
+  const bool solved = result.status == dgd::Status::kOptimal || result.status == dgd::Status::kCoincidentCenters;
+  dgd::ContactPatch<double> patch;
+  if (solved && patch_wanted) patch = FindPatch(shape_a, shape_b, result, contact_distance, breaking_threshold);
+  if (solved && !patch_wanted) patch = WitnessOnly(result);
+  const bool certain = solved || result.status == dgd::Status::kSeparated;
+  if (certain && owns_manifold_ && patch_wanted) DropStalePoints(*manifold_, patch);
+  WritePatch(patch, result.normal, output);
+  return result.status;
+} catch (const std::exception&) {
+  // A shape that is not one: NaN or infinite sizes, no points, no memory for its hull.
+  return dgd::Status::kInvalidInput;
+}
+
+btScalar ConvexConvexAlgorithm::calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&,
+                                                      btManifoldResult*) {
+  return btScalar(1);
+}
+
+void ConvexConvexAlgorithm::getAllContactManifolds(btManifoldArray& manifolds) {
+  if (owns_manifold_) manifolds.push_back(manifold_);
+}
+
+}  // namespace dgd_bullet

@@ -1,0 +1,56 @@
+// The algorithm object of one pair of convex shapes: Bullet's contract on the outside, the growth distance inside.
+//
+// The contract (read from Bullet 3.24, btConvexConvexAlgorithm and btManifoldResult): a manifold is taken from the
+// construction info if there is one and not owned then, else made at first need, also without contact, and released
+// with the pair; points leave through addContactPoint() only; the normal points from B to A, A and B in the order of
+// the call; the depth is the signed distance after margins.
+#pragma once
+
+#include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
+
+#include <memory>
+
+#include "dgd/growth_distance.h"
+#include "hull_cache.h"
+#include "narrowphase.h"
+#include "shape_adapter.h"
+
+namespace dgd_bullet {
+
+class ConvexConvexAlgorithm : public btCollisionAlgorithm {
+ public:
+  ConvexConvexAlgorithm(const btCollisionAlgorithmConstructionInfo& info, Narrowphase& narrowphase);
+  ~ConvexConvexAlgorithm() override;
+  ConvexConvexAlgorithm(const ConvexConvexAlgorithm&) = delete;
+  ConvexConvexAlgorithm& operator=(const ConvexConvexAlgorithm&) = delete;
+
+  void processCollision(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1,
+                        const btDispatcherInfo& info, btManifoldResult* output) override;
+
+  /// Answers "no impact", 1: Bullet never asks unless an app dispatches continuously, which nothing of it does.
+  btScalar calculateTimeOfImpact(btCollisionObject* body_0, btCollisionObject* body_1, const btDispatcherInfo& info,
+                                 btManifoldResult* output) override;
+
+  void getAllContactManifolds(btManifoldArray& manifolds) override;
+
+ private:
+  /// Makes the manifold if there is none yet. False if the dispatcher has none left.
+  bool HasManifold(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1);
+
+  /// Solves the pair and writes its contacts; any status but kOptimal, kSeparated and kCoincidentCenters wrote nothing.
+  dgd::Status FindContacts(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1,
+                           btManifoldResult& output);
+
+  Narrowphase& narrowphase_;
+  btPersistentManifold* manifold_;
+  std::shared_ptr<const CachedHull> hull_0_, hull_1_;
+  dgd::WarmStart<double> warm_start_;
+  bool owns_manifold_ = false;
+};
+
+// The pool hands out slots without looking at the size: 184 bytes is the largest algorithm of Bullet's own, so every
+// pool that works with Bullet holds it. The soft-body configuration's slots are 8-byte aligned.
+static_assert(sizeof(ConvexConvexAlgorithm) <= 184, "must fit Bullet's smallest pool element");
+static_assert(alignof(ConvexConvexAlgorithm) <= 8, "some of Bullet's pools align to 8 bytes only");
+
+}  // namespace dgd_bullet

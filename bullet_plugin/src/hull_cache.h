@@ -1,0 +1,56 @@
+// Hulls of Bullet's point shapes: built once per shape, shared between its pairs, found again by address and content.
+//
+// Bullet tells nobody when a shape changes or dies, and a new one may take its address. A hull is therefore only used
+// after its shape has been compared with what the hull was made from: number of points, scaling, and the points
+// themselves; of large hulls, evenly spread ones, so that the comparison stays cheap beside a query.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <shared_mutex>
+#include <unordered_map>
+#include <vector>
+
+#include "bullet_conversions.h"
+#include "dgd/shapes/polytope.h"
+#include "shape_points.h"
+
+class btConvexShape;
+
+namespace dgd_bullet {
+
+class CachedHull {
+ public:
+  /// Throws std::invalid_argument if the shape has no points or one is not finite.
+  explicit CachedHull(const btConvexShape& shape);
+
+  /// Whether this was made from the shape as it is now.
+  bool Matches(const btConvexShape& shape) const;
+
+  const dgd::Polytope<double>& Core() const { return core_; }
+
+ private:
+  const btConvexShape* shape_;
+  int count_;
+  Vector3 scaling_;
+  std::vector<unsigned char> bytes_;  // Of all points, for small hulls kept in an array ...
+  std::vector<Vector3> samples_;      // ... else some of the points, scaled.
+  dgd::Polytope<double> core_;
+};
+
+class HullCache {
+ public:
+  /// The hull of the shape as it is now. Thread-safe. Throws as CachedHull.
+  std::shared_ptr<const CachedHull> Find(const btConvexShape& shape);
+
+ private:
+  /// Drops hulls that no pair holds once there are twice as many as after the last time: shapes that are gone cost
+  /// memory for a while, never a wrong answer.
+  void Prune();
+
+  std::shared_mutex mutex_;
+  std::unordered_map<const btConvexShape*, std::shared_ptr<const CachedHull>> hulls_;
+  std::size_t prune_at_ = 64;
+};
+
+}  // namespace dgd_bullet

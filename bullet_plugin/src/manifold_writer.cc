@@ -1,0 +1,44 @@
+#include "manifold_writer.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
+#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+
+#include <array>
+
+namespace dgd_bullet {
+
+void DropStalePoints(btPersistentManifold& manifold, const dgd::ContactPatch<double>& patch) {
+  const int cached = manifold.getNumContacts();
+  if (cached == 0) return;
+  const btTransform& transform_a = manifold.getBody0()->getWorldTransform();
+  const btScalar threshold = manifold.getContactBreakingThreshold();
+  std::array<bool, MANIFOLD_CACHE_SIZE> continued{};
+  for (int i = 0; i < patch.size; ++i) {
+    const btVector3 on_a = transform_a.invXform(ToBullet(patch.points[static_cast<std::size_t>(i)].on_1));
+    btScalar nearest_sq = threshold * threshold;
+    int nearest = -1;
+    for (int j = 0; j < cached; ++j) {
+      const btScalar distance_sq = (manifold.getContactPoint(j).m_localPointA - on_a).length2();
+      if (distance_sq < nearest_sq) {
+        nearest_sq = distance_sq;
+        nearest = j;
+      }
+    }
+    if (nearest >= 0) continued[static_cast<std::size_t>(nearest)] = true;
+  }
+  // From the end, since removal moves the last point into the gap.
+  for (int j = cached - 1; j >= 0; --j) {
+    if (!continued[static_cast<std::size_t>(j)]) manifold.removeContactPoint(j);
+  }
+}
+
+void WritePatch(const dgd::ContactPatch<double>& patch, const Vector3& normal, btManifoldResult& output) {
+  const btVector3 normal_on_b = ToBullet(-normal);
+  for (int i = 0; i < patch.size; ++i) {
+    const dgd::ContactPoint<double>& point = patch.points[static_cast<std::size_t>(i)];
+    output.addContactPoint(normal_on_b, ToBullet(point.on_2), btScalar(point.separation));
+  }
+}
+
+}  // namespace dgd_bullet

@@ -1,0 +1,59 @@
+// What the pairs of one dispatcher share: options, hulls, counters, and Bullet's own algorithm to fall back to.
+#pragma once
+
+#include <BulletCollision/CollisionDispatch/btCollisionCreateFunc.h>
+#include <BulletCollision/CollisionDispatch/btConvexConvexAlgorithm.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
+
+#include <atomic>
+
+#include "dgd/growth_distance.h"
+#include "dgd_bullet/options.h"
+#include "dgd_bullet/statistics.h"
+#include "hull_cache.h"
+
+namespace dgd_bullet {
+
+/// Outlives the dispatcher and its pairs. All members may be used by several threads at once.
+class Narrowphase {
+ public:
+  /// Throws std::invalid_argument naming an option that is out of range.
+  explicit Narrowphase(const Options& options);
+
+  /// Whether the growth distance takes pairs of these shape types: both convex and neither two-dimensional, which
+  /// Bullet's GJK treats apart.
+  static bool Handles(int type_0, int type_1);
+
+  /// Makes the algorithm of a pair; the same for the contact and the closest-points table and for either order.
+  btCollisionAlgorithmCreateFunc* CreateFunc() { return &create_func_; }
+
+  const Options& options() const { return options_; }
+  HullCache& hulls() { return hulls_; }
+  Statistics statistics() const;
+
+  void CountFallback(dgd::Status status);
+
+  /// Answers the pair with Bullet's GJK/EPA, into output's manifold.
+  void FallBack(btDispatcher& dispatcher, const btCollisionObjectWrapper* body_0,
+                const btCollisionObjectWrapper* body_1, const btDispatcherInfo& info, btManifoldResult& output);
+
+ private:
+  struct PairCreateFunc : btCollisionAlgorithmCreateFunc {
+    explicit PairCreateFunc(Narrowphase& shared) : narrowphase(shared) {}
+    btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
+                                                   const btCollisionObjectWrapper* body_0,
+                                                   const btCollisionObjectWrapper* body_1) override;
+    Narrowphase& narrowphase;
+  };
+
+  const Options options_;
+  PairCreateFunc create_func_{*this};
+  HullCache hulls_;
+  btGjkEpaPenetrationDepthSolver penetration_solver_;
+  btConvexConvexAlgorithm::CreateFunc fallback_{&penetration_solver_};
+  std::atomic<std::uint64_t> fallbacks_not_converged_{0};
+  std::atomic<std::uint64_t> fallbacks_no_interior_{0};
+  std::atomic<std::uint64_t> fallbacks_invalid_{0};
+};
+
+}  // namespace dgd_bullet

@@ -1,0 +1,71 @@
+#include "shape_adapter.h"
+
+#include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btCapsuleShape.h>
+#include <BulletCollision/CollisionShapes/btConeShape.h>
+#include <BulletCollision/CollisionShapes/btCylinderShape.h>
+#include <BulletCollision/CollisionShapes/btSphereShape.h>
+#include <BulletCollision/CollisionShapes/btTriangleShape.h>
+
+#include <cmath>
+
+#include "shape_points.h"
+
+namespace dgd_bullet {
+namespace {
+
+/// Bullet's up axis of shapes that have none: keeps their frame as it is.
+constexpr int kZ = 2;
+
+/// A margin larger than the shape leaves a negative core, which Bullet's support functions mirror: same set.
+double Extent(btScalar half_extent) { return std::abs(double(half_extent)); }
+
+}  // namespace
+
+PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, HullCache& cache,
+                      std::shared_ptr<const CachedHull>& hull) {
+  const int type = shape.getShapeType();
+  const double margin = dgd::RequireLength(double(shape.getMargin()), true, "collision margin");
+  switch (type) {
+    case SPHERE_SHAPE_PROXYTYPE:
+      // Its margin is its radius.
+      return {dgd::RoundedSet(dgd::Point<double>(), margin), FromBullet(transform, kZ)};
+    case CAPSULE_SHAPE_PROXYTYPE: {
+      const auto& capsule = static_cast<const btCapsuleShape&>(shape);
+      return {dgd::RoundedSet(dgd::Segment<double>(Extent(capsule.getHalfHeight())), margin),
+              FromBullet(transform, capsule.getUpAxis())};
+    }
+    case TRIANGLE_SHAPE_PROXYTYPE: {
+      const btVector3* corners = static_cast<const btTriangleShape&>(shape).m_vertices1;
+      return {
+          dgd::RoundedSet(dgd::Triangle<double>(FromBullet(corners[0]), FromBullet(corners[1]), FromBullet(corners[2])),
+                          margin),
+          FromBullet(transform, kZ)};
+    }
+    case BOX_SHAPE_PROXYTYPE: {
+      const Vector3 half = FromBullet(static_cast<const btBoxShape&>(shape).getHalfExtentsWithoutMargin());
+      return {dgd::RoundedSet(dgd::Box<double>(half.cwiseAbs()), margin), FromBullet(transform, kZ)};
+    }
+    case CYLINDER_SHAPE_PROXYTYPE: {
+      const auto& cylinder = static_cast<const btCylinderShape&>(shape);
+      const int up = cylinder.getUpAxis();
+      const btVector3 half = cylinder.getHalfExtentsWithoutMargin();
+      // Bullet takes the radius from the first axis that is not the cylinder's own.
+      return {dgd::RoundedSet(dgd::Cylinder<double>(Extent(half[up == 0 ? 1 : 0]), Extent(half[up])), margin),
+              FromBullet(transform, up)};
+    }
+    case CONE_SHAPE_PROXYTYPE: {
+      const auto& cone = static_cast<const btConeShape&>(shape);
+      return {dgd::RoundedSet(dgd::Cone<double>(double(cone.getRadius()), double(cone.getHeight())), margin),
+              FromBullet(transform, cone.getConeUpIndex())};
+    }
+    default:
+      break;
+  }
+  if (!IsHullOfPoints(type)) return {dgd::RoundedSet(BulletCore(shape), margin), FromBullet(transform, kZ)};
+  if (hull == nullptr || !hull->Matches(shape)) hull = cache.Find(shape);
+  return {dgd::RoundedSet(dgd::CoreReference(hull->Core()), margin), FromBullet(transform, kZ)};
+}
+
+}  // namespace dgd_bullet

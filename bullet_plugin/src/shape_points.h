@@ -1,0 +1,41 @@
+// The points of the Bullet shapes that are hulls of points, scaled as Bullet's own support functions scale them.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "bullet_conversions.h"
+
+class btConvexShape;
+
+namespace dgd_bullet {
+
+/// Whether the shape is the hull of points (plus margin): hull, point cloud, tetrahedron, convex triangle mesh.
+bool IsHullOfPoints(int shape_type);
+
+/// Random access to the points of a shape for which IsHullOfPoints() holds; valid while the shape is not changed.
+class ShapePoints {
+ public:
+  explicit ShapePoints(const btConvexShape& shape);
+
+  int Count() const { return count_; }
+  Vector3 operator[](int i) const;
+  const Vector3& Scaling() const { return scaling_; }
+
+  /// The points as they lie in memory, ByteSize() bytes before scaling; null where the shape does not keep an array.
+  const unsigned char* Bytes() const { return base_; }
+  std::size_t ByteSize() const { return static_cast<std::size_t>(count_) * static_cast<std::size_t>(stride_); }
+
+ private:
+  const btConvexShape& shape_;
+  const unsigned char* base_ = nullptr;  // Of the points, for the types that keep them in an array.
+  int stride_ = 0;                       // Bytes.
+  bool is_double_ = false;
+  int count_ = 0;
+  Vector3 scaling_ = Vector3::Ones();
+};
+
+/// All points of the shape that belong to its hull.
+std::vector<Vector3> AllPoints(const btConvexShape& shape);
+
+}  // namespace dgd_bullet
