@@ -4,6 +4,7 @@
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletCollision/CollisionShapes/btConvexShape.h>
 
+#include <algorithm>
 #include <exception>
 
 #include "manifold_writer.h"
@@ -11,6 +12,23 @@
 
 namespace dgd_bullet {
 namespace {
+
+/// Bounds that rounding keeps farther apart than the tolerance still prove a result if they agree to this: 5
+/// micrometres in half a metre, a thousandth of what Bullet's float pairs are off by. Beyond it, Bullet answers.
+constexpr double kCertifiedGap = 1e-5;
+
+bool IsCertified(const dgd::Result<double>& result) {
+  switch (result.status) {
+    case dgd::Status::kOptimal:
+    case dgd::Status::kCoincidentCenters:
+      return true;
+    case dgd::Status::kStalled:
+    case dgd::Status::kIterationLimit:
+      return result.RelativeGap() <= kCertifiedGap;
+    default:
+      return false;
+  }
+}
 
 /// The witness point alone: what Bullet's own algorithm would report.
 dgd::ContactPatch<double> WitnessOnly(const dgd::Result<double>& result) {
@@ -40,14 +58,9 @@ void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* bod
                                              btManifoldResult* output) {
   if (!HasManifold(body_0, body_1)) return;
   output->setPersistentManifold(manifold_);
-  switch (const dgd::Status status = FindContacts(body_0, body_1, *output)) {
-    case dgd::Status::kOptimal:
-    case dgd::Status::kSeparated:
-    case dgd::Status::kCoincidentCenters:
-      break;
-    default:
-      narrowphase_.CountFallback(status);
-      narrowphase_.FallBack(*m_dispatcher, body_0, body_1, info, *output);
+  if (const std::optional<dgd::Status> failure = FindContacts(body_0, body_1, *output)) {
+    narrowphase_.CountFallback(*failure);
+    narrowphase_.FallBack(*m_dispatcher, body_0, body_1, info, *output);
   }
   if (owns_manifold_) output->refreshContactPoints();
 }
@@ -61,28 +74,30 @@ bool ConvexConvexAlgorithm::HasManifold(const btCollisionObjectWrapper* body_0,
   return manifold_ != nullptr;
 }
 
-dgd::Status ConvexConvexAlgorithm::FindContacts(const btCollisionObjectWrapper* body_0,
-                                                const btCollisionObjectWrapper* body_1, btManifoldResult& output) try {
+std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollisionObjectWrapper* body_0,
+                                                               const btCollisionObjectWrapper* body_1,
+                                                               btManifoldResult& output) try {
+  const Options& options = narrowphase_.options();
   const PosedShape shape_a = AdaptShape(ShapeOf(body_0), body_0->getWorldTransform(), narrowphase_.hulls(), hull_0_);
   const PosedShape shape_b = AdaptShape(ShapeOf(body_1), body_1->getWorldTransform(), narrowphase_.hulls(), hull_1_);
   const double breaking_threshold = double(manifold_->getContactBreakingThreshold());
   const double contact_distance = breaking_threshold + double(output.m_closestPointDistanceThreshold);
 
   dgd::Settings<double> settings;
-  settings.relative_tolerance = narrowphase_.options().relative_tolerance;
-  settings.max_iterations = narrowphase_.options().max_iterations;
+  settings.relative_tolerance = std::max(options.relative_tolerance, ReachableTolerance(shape_a, shape_b));
+  settings.max_iterations = options.max_iterations;
   settings.separation_limit = contact_distance;
   const dgd::Result<double> result = SolvePair(shape_a, shape_b, settings, warm_start_);
 
-  const bool patch_wanted = narrowphase_.options().contact_patch;
-  const bool solved = result.status == dgd::Status::kOptimal || result.status == dgd::Status::kCoincidentCenters;
   dgd::ContactPatch<double> patch;
-  if (solved && patch_wanted) patch = FindPatch(shape_a, shape_b, result, contact_distance, breaking_threshold);
-  if (solved && !patch_wanted) patch = WitnessOnly(result);
-  const bool certain = solved || result.status == dgd::Status::kSeparated;
-  if (certain && owns_manifold_ && patch_wanted) DropStalePoints(*manifold_, patch);
+  if (result.status != dgd::Status::kSeparated) {
+    if (!IsCertified(result)) return result.status;
+    patch = options.contact_patch ? FindPatch(shape_a, shape_b, result, contact_distance, breaking_threshold)
+                                  : WitnessOnly(result);
+  }
+  if (owns_manifold_ && options.contact_patch) DropStalePoints(*manifold_, patch);
   WritePatch(patch, result.normal, output);
-  return result.status;
+  return std::nullopt;
 } catch (const std::exception&) {
   // A shape that is not one: NaN or infinite sizes, no points, no memory for its hull.
   return dgd::Status::kInvalidInput;

@@ -9,6 +9,7 @@
 #include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
 
 #include <memory>
+#include <optional>
 
 #include "dgd/growth_distance.h"
 #include "hull_cache.h"
@@ -37,9 +38,9 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   /// Makes the manifold if there is none yet. False if the dispatcher has none left.
   bool HasManifold(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1);
 
-  /// Solves the pair and writes its contacts; any status but kOptimal, kSeparated and kCoincidentCenters wrote nothing.
-  dgd::Status FindContacts(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1,
-                           btManifoldResult& output);
+  /// Solves the pair and writes its contacts. If that failed: why; nothing was written then.
+  std::optional<dgd::Status> FindContacts(const btCollisionObjectWrapper* body_0,
+                                          const btCollisionObjectWrapper* body_1, btManifoldResult& output);
 
   Narrowphase& narrowphase_;
   btPersistentManifold* manifold_;

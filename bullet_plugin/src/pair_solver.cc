@@ -1,6 +1,15 @@
 #include "pair_solver.h"
 
+#include <limits>
+
 namespace dgd_bullet {
+
+double ReachableTolerance(const PosedShape& shape_a, const PosedShape& shape_b) {
+  using ThroughBullet = dgd::RoundedSet<BulletCore>;
+  const bool through_bullet =
+      std::holds_alternative<ThroughBullet>(shape_a.set) || std::holds_alternative<ThroughBullet>(shape_b.set);
+  return through_bullet ? 16 * double(std::numeric_limits<btScalar>::epsilon()) : 0.0;
+}
 
 dgd::Result<double> SolvePair(const PosedShape& shape_a, const PosedShape& shape_b,
                               const dgd::Settings<double>& settings, dgd::WarmStart<double>& warm_start) {

@@ -7,6 +7,10 @@
 
 namespace dgd_bullet {
 
+/// Relative gap that the rounding of the shapes' own support functions allows: nothing to speak of, but for shapes that
+/// are asked through Bullet's virtual function, which computes in Bullet's precision.
+double ReachableTolerance(const PosedShape& shape_a, const PosedShape& shape_b);
+
 /// The one place where the two types of a pair are resolved.
 dgd::Result<double> SolvePair(const PosedShape& shape_a, const PosedShape& shape_b,
                               const dgd::Settings<double>& settings, dgd::WarmStart<double>& warm_start);

@@ -8,8 +8,6 @@
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
 
-#include <cmath>
-
 #include "shape_points.h"
 
 namespace dgd_bullet {
@@ -18,8 +16,9 @@ namespace {
 /// Bullet's up axis of shapes that have none: keeps their frame as it is.
 constexpr int kZ = 2;
 
-/// A margin larger than the shape leaves a negative core, which Bullet's support functions mirror: same set.
-double Extent(btScalar half_extent) { return std::abs(double(half_extent)); }
+/// A margin set larger than a box or cylinder leaves a negative core, which is no set: its extent counts as zero.
+/// NaN stays NaN, and is refused by the set.
+double Extent(btScalar half_extent) { return half_extent < 0 ? 0.0 : double(half_extent); }
 
 }  // namespace
 
@@ -30,42 +29,43 @@ PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, 
   switch (type) {
     case SPHERE_SHAPE_PROXYTYPE:
       // Its margin is its radius.
-      return {dgd::RoundedSet(dgd::Point<double>(), margin), FromBullet(transform, kZ)};
+      return {dgd::RoundedSet{dgd::Point<double>(), margin}, FromBullet(transform, kZ)};
     case CAPSULE_SHAPE_PROXYTYPE: {
       const auto& capsule = static_cast<const btCapsuleShape&>(shape);
-      return {dgd::RoundedSet(dgd::Segment<double>(Extent(capsule.getHalfHeight())), margin),
+      return {dgd::RoundedSet{dgd::Segment<double>(Extent(capsule.getHalfHeight())), margin},
               FromBullet(transform, capsule.getUpAxis())};
     }
     case TRIANGLE_SHAPE_PROXYTYPE: {
       const btVector3* corners = static_cast<const btTriangleShape&>(shape).m_vertices1;
       return {
-          dgd::RoundedSet(dgd::Triangle<double>(FromBullet(corners[0]), FromBullet(corners[1]), FromBullet(corners[2])),
-                          margin),
+          dgd::RoundedSet{dgd::Triangle<double>(FromBullet(corners[0]), FromBullet(corners[1]), FromBullet(corners[2])),
+                          margin},
           FromBullet(transform, kZ)};
     }
     case BOX_SHAPE_PROXYTYPE: {
-      const Vector3 half = FromBullet(static_cast<const btBoxShape&>(shape).getHalfExtentsWithoutMargin());
-      return {dgd::RoundedSet(dgd::Box<double>(half.cwiseAbs()), margin), FromBullet(transform, kZ)};
+      const btVector3 half = static_cast<const btBoxShape&>(shape).getHalfExtentsWithoutMargin();
+      const Vector3 core(Extent(half.x()), Extent(half.y()), Extent(half.z()));
+      return {dgd::RoundedSet{dgd::Box<double>(core), margin}, FromBullet(transform, kZ)};
     }
     case CYLINDER_SHAPE_PROXYTYPE: {
       const auto& cylinder = static_cast<const btCylinderShape&>(shape);
       const int up = cylinder.getUpAxis();
       const btVector3 half = cylinder.getHalfExtentsWithoutMargin();
       // Bullet takes the radius from the first axis that is not the cylinder's own.
-      return {dgd::RoundedSet(dgd::Cylinder<double>(Extent(half[up == 0 ? 1 : 0]), Extent(half[up])), margin),
+      return {dgd::RoundedSet{dgd::Cylinder<double>(Extent(half[up == 0 ? 1 : 0]), Extent(half[up])), margin},
               FromBullet(transform, up)};
     }
     case CONE_SHAPE_PROXYTYPE: {
       const auto& cone = static_cast<const btConeShape&>(shape);
-      return {dgd::RoundedSet(dgd::Cone<double>(double(cone.getRadius()), double(cone.getHeight())), margin),
+      return {dgd::RoundedSet{dgd::Cone<double>(double(cone.getRadius()), double(cone.getHeight())), margin},
               FromBullet(transform, cone.getConeUpIndex())};
     }
     default:
       break;
   }
-  if (!IsHullOfPoints(type)) return {dgd::RoundedSet(BulletCore(shape), margin), FromBullet(transform, kZ)};
+  if (!IsHullOfPoints(type)) return {dgd::RoundedSet{BulletCore(shape), margin}, FromBullet(transform, kZ)};
   if (hull == nullptr || !hull->Matches(shape)) hull = cache.Find(shape);
-  return {dgd::RoundedSet(dgd::CoreReference(hull->Core()), margin), FromBullet(transform, kZ)};
+  return {dgd::RoundedSet{dgd::CoreReference(hull->Core()), margin}, FromBullet(transform, kZ)};
 }
 
 }  // namespace dgd_bullet

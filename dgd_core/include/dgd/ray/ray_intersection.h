@@ -71,14 +71,15 @@ class RayIntersection {
 
   [[gnu::flatten]] Status Iterate(Question question, const WarmStart<S>* warm_start) {
     InitializeInner();
-    if (warm_start != nullptr) AdoptLastBasis(*warm_start);
+    Vector3<S> normal = warm_start != nullptr ? AdoptLastState(*warm_start) : inner_.Normal();
     for (;;) {
-      const Vector3<S> normal = inner_.Normal();
       if (!(normal.z() > 0)) return Status::kStalled;  // Also for NaN.
       const DifferencePoint<S> added = CutAlong(normal);
       if (const Status status = Verdict(question); status != kGoOn) return status;
       if (iterations_ >= settings_.max_iterations) return Status::kIterationLimit;
-      if (!inner_.Insert(added)) return Status::kStalled;
+      // Without progress along its own normal, the inner approximation is as high as rounding lets it be.
+      if (!inner_.Insert(added) && normal == inner_.Normal()) return Status::kStalled;
+      normal = inner_.Normal();
     }
   }
 
@@ -98,8 +99,10 @@ class RayIntersection {
   }
 
   /// Primal warm start (Sec. III-D3): the last basis, moved with the sets, goes into the inner approximation; all at
-  /// once if it still carries the ray, else point by point.
-  void AdoptLastBasis(const WarmStart<S>& warm_start) {
+  /// once if it still carries the ray, else point by point. Without one (curved cores, or sets that were apart) the
+  /// last normal starts the outer approximation instead.
+  /// @return the first direction to search.
+  Vector3<S> AdoptLastState(const WarmStart<S>& warm_start) {
     if constexpr (VertexCore<typename Set1::Core> && VertexCore<typename Set2::Core>) {
       std::array<DifferencePoint<S>, 3> basis;
       int size = 0;
@@ -108,9 +111,14 @@ class RayIntersection {
         basis[static_cast<std::size_t>(size++)] =
             difference_.FromVertices(warm_start.vertices_1[i], warm_start.vertices_2[i]);
       }
-      if (inner_.AdoptBasis(basis, size)) return;
-      for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) inner_.Insert(basis[i]);
+      if (size > 0) {
+        if (inner_.AdoptBasis(basis, size)) return inner_.Normal();
+        for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) inner_.Insert(basis[i]);
+        return inner_.Normal();
+      }
     }
+    const Vector3<S> last_normal = difference_.DirectionToFrame(warm_start.normal_1);
+    return last_normal.z() > 0 ? last_normal : inner_.Normal();
   }
 
   Status Verdict(Question question) const {
