@@ -10,12 +10,12 @@ CollisionConfiguration::CollisionConfiguration(const Options& options, const btD
 CollisionConfiguration::~CollisionConfiguration() = default;
 
 btCollisionAlgorithmCreateFunc* CollisionConfiguration::getCollisionAlgorithmCreateFunc(int type0, int type1) {
-  if (Narrowphase::Handles(type0, type1)) return narrowphase_->CreateFunc();
+  if (Narrowphase::Handles(type0, type1)) return narrowphase_->ContactCreateFunc();
   return btDefaultCollisionConfiguration::getCollisionAlgorithmCreateFunc(type0, type1);
 }
 
 btCollisionAlgorithmCreateFunc* CollisionConfiguration::getClosestPointsAlgorithmCreateFunc(int type0, int type1) {
-  if (Narrowphase::Handles(type0, type1)) return narrowphase_->CreateFunc();
+  if (Narrowphase::Handles(type0, type1)) return narrowphase_->ClosestPointsCreateFunc();
   return btDefaultCollisionConfiguration::getClosestPointsAlgorithmCreateFunc(type0, type1);
 }
 

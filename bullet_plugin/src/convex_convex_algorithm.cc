@@ -46,8 +46,9 @@ const btConvexShape& ShapeOf(const btCollisionObjectWrapper* body) {
 
 }  // namespace
 
-ConvexConvexAlgorithm::ConvexConvexAlgorithm(const btCollisionAlgorithmConstructionInfo& info, Narrowphase& narrowphase)
-    : btCollisionAlgorithm(info), narrowphase_(narrowphase), manifold_(info.m_manifold) {}
+ConvexConvexAlgorithm::ConvexConvexAlgorithm(const btCollisionAlgorithmConstructionInfo& info, Narrowphase& narrowphase,
+                                             bool speculative)
+    : btCollisionAlgorithm(info), narrowphase_(narrowphase), manifold_(info.m_manifold), speculative_(speculative) {}
 
 ConvexConvexAlgorithm::~ConvexConvexAlgorithm() {
   if (owns_manifold_) m_dispatcher->releaseManifold(manifold_);
@@ -58,11 +59,11 @@ void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* bod
                                              btManifoldResult* output) {
   if (!HasManifold(body_0, body_1)) return;
   output->setPersistentManifold(manifold_);
-  if (const std::optional<dgd::Status> failure = FindContacts(body_0, body_1, *output)) {
+  if (const std::optional<dgd::Status> failure = FindContacts(body_0, body_1, info, *output)) {
     narrowphase_.CountFallback(*failure);
     narrowphase_.FallBack(*m_dispatcher, body_0, body_1, info, *output);
+    if (owns_manifold_) output->refreshContactPoints();
   }
-  if (owns_manifold_) output->refreshContactPoints();
 }
 
 bool ConvexConvexAlgorithm::HasManifold(const btCollisionObjectWrapper* body_0,
@@ -76,31 +77,56 @@ bool ConvexConvexAlgorithm::HasManifold(const btCollisionObjectWrapper* body_0,
 
 std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollisionObjectWrapper* body_0,
                                                                const btCollisionObjectWrapper* body_1,
+                                                               const btDispatcherInfo& info,
                                                                btManifoldResult& output) try {
   const Options& options = narrowphase_.options();
   const PosedShape shape_a = AdaptShape(ShapeOf(body_0), body_0->getWorldTransform(), narrowphase_.hulls(), hull_0_);
   const PosedShape shape_b = AdaptShape(ShapeOf(body_1), body_1->getWorldTransform(), narrowphase_.hulls(), hull_1_);
+  // A shared manifold is refreshed by whoever shares it, and loses far points there.
+  const PairMotion motion =
+      speculative_ && owns_manifold_ ? PairMotion(*body_0, *body_1, double(info.m_timeStep)) : PairMotion();
   const double breaking_threshold = double(manifold_->getContactBreakingThreshold());
   const double contact_distance = breaking_threshold + double(output.m_closestPointDistanceThreshold);
 
   dgd::Settings<double> settings;
   settings.relative_tolerance = std::max(options.relative_tolerance, ReachableTolerance(shape_a, shape_b));
   settings.max_iterations = options.max_iterations;
-  settings.separation_limit = contact_distance;
+  settings.separation_limit = std::max(contact_distance, motion.MaxApproach());
   const dgd::Result<double> result = SolvePair(shape_a, shape_b, settings, warm_start_);
 
   dgd::ContactPatch<double> patch;
   if (result.status != dgd::Status::kSeparated) {
     if (!IsCertified(result)) return result.status;
-    patch = options.contact_patch ? FindPatch(shape_a, shape_b, result, contact_distance, breaking_threshold)
+    patch = options.contact_patch ? FindPatch(shape_a, shape_b, result, contact_distance, breaking_threshold, motion)
                                   : WitnessOnly(result);
   }
-  if (owns_manifold_ && options.contact_patch) DropStalePoints(*manifold_, patch);
-  WritePatch(patch, result.normal, output);
+  WriteContacts(patch, result.normal, output);
   return std::nullopt;
 } catch (const std::exception&) {
   // A shape that is not one: NaN or infinite sizes, no points, no memory for its hull.
   return dgd::Status::kInvalidInput;
+}
+
+void ConvexConvexAlgorithm::WriteContacts(const dgd::ContactPatch<double>& patch, const Vector3& normal,
+                                          btManifoldResult& output) {
+  if (!owns_manifold_) {
+    WritePatch(patch, normal, output);
+    return;
+  }
+  if (narrowphase_.options().contact_patch) DropStalePoints(*manifold_, patch);
+  // Bullet refuses points beyond the breaking threshold: speculative ones need it raised until they have passed.
+  const btScalar breaking_threshold = manifold_->getContactBreakingThreshold();
+  for (int i = 0; i < patch.size; ++i) {
+    const btScalar separation = btScalar(patch.points[static_cast<std::size_t>(i)].separation);
+    // Rounding to float must not put the point beyond its own threshold, nor its distance after a refresh.
+    constexpr btScalar kSlack = btScalar(1.001);
+    if (separation * kSlack > manifold_->getContactBreakingThreshold()) {
+      manifold_->setContactBreakingThreshold(separation * kSlack);
+    }
+  }
+  WritePatch(patch, normal, output);
+  output.refreshContactPoints();
+  manifold_->setContactBreakingThreshold(breaking_threshold);
 }
 
 btScalar ConvexConvexAlgorithm::calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&,

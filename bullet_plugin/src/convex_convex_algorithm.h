@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 
+#include "dgd/contact_patch.h"
 #include "dgd/growth_distance.h"
 #include "hull_cache.h"
 #include "narrowphase.h"
@@ -20,7 +21,8 @@ namespace dgd_bullet {
 
 class ConvexConvexAlgorithm : public btCollisionAlgorithm {
  public:
-  ConvexConvexAlgorithm(const btCollisionAlgorithmConstructionInfo& info, Narrowphase& narrowphase);
+  /// @param speculative  Whether points count that the bodies' motion only makes touch within the time step.
+  ConvexConvexAlgorithm(const btCollisionAlgorithmConstructionInfo& info, Narrowphase& narrowphase, bool speculative);
   ~ConvexConvexAlgorithm() override;
   ConvexConvexAlgorithm(const ConvexConvexAlgorithm&) = delete;
   ConvexConvexAlgorithm& operator=(const ConvexConvexAlgorithm&) = delete;
@@ -40,13 +42,18 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
 
   /// Solves the pair and writes its contacts. If that failed: why; nothing was written then.
   std::optional<dgd::Status> FindContacts(const btCollisionObjectWrapper* body_0,
-                                          const btCollisionObjectWrapper* body_1, btManifoldResult& output);
+                                          const btCollisionObjectWrapper* body_1, const btDispatcherInfo& info,
+                                          btManifoldResult& output);
+
+  /// Makes the manifold's points those of the patch, through the output.
+  void WriteContacts(const dgd::ContactPatch<double>& patch, const Vector3& normal, btManifoldResult& output);
 
   Narrowphase& narrowphase_;
   btPersistentManifold* manifold_;
   std::shared_ptr<const CachedHull> hull_0_, hull_1_;
   dgd::WarmStart<double> warm_start_;
   bool owns_manifold_ = false;
+  const bool speculative_;
 };
 
 // The pool hands out slots without looking at the size: 184 bytes is the largest algorithm of Bullet's own, so every

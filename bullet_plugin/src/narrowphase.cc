@@ -63,7 +63,7 @@ btCollisionAlgorithm* Narrowphase::PairCreateFunc::CreateCollisionAlgorithm(btCo
                                                                             const btCollisionObjectWrapper*,
                                                                             const btCollisionObjectWrapper*) {
   void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(ConvexConvexAlgorithm));
-  return new (memory) ConvexConvexAlgorithm(info, narrowphase);
+  return new (memory) ConvexConvexAlgorithm(info, narrowphase, speculative);
 }
 
 }  // namespace dgd_bullet

@@ -24,8 +24,9 @@ class Narrowphase {
   /// Bullet's GJK treats apart.
   static bool Handles(int type_0, int type_1);
 
-  /// Makes the algorithm of a pair; the same for the contact and the closest-points table and for either order.
-  btCollisionAlgorithmCreateFunc* CreateFunc() { return &create_func_; }
+  /// Make the algorithm of a pair in either order, for the two tables of a dispatcher.
+  btCollisionAlgorithmCreateFunc* ContactCreateFunc() { return &contact_create_func_; }
+  btCollisionAlgorithmCreateFunc* ClosestPointsCreateFunc() { return &closest_points_create_func_; }
 
   const Options& options() const { return options_; }
   HullCache& hulls() { return hulls_; }
@@ -39,15 +40,17 @@ class Narrowphase {
 
  private:
   struct PairCreateFunc : btCollisionAlgorithmCreateFunc {
-    explicit PairCreateFunc(Narrowphase& shared) : narrowphase(shared) {}
+    PairCreateFunc(Narrowphase& shared, bool may_speculate) : narrowphase(shared), speculative(may_speculate) {}
     btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
                                                    const btCollisionObjectWrapper* body_0,
                                                    const btCollisionObjectWrapper* body_1) override;
     Narrowphase& narrowphase;
+    const bool speculative;
   };
 
   const Options options_;
-  PairCreateFunc create_func_{*this};
+  PairCreateFunc contact_create_func_{*this, options_.contact_patch&& options_.speculative_contacts};
+  PairCreateFunc closest_points_create_func_{*this, false};
   HullCache hulls_;
   btGjkEpaPenetrationDepthSolver penetration_solver_;
   btConvexConvexAlgorithm::CreateFunc fallback_{&penetration_solver_};

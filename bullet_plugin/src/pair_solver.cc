@@ -21,13 +21,17 @@ dgd::Result<double> SolvePair(const PosedShape& shape_a, const PosedShape& shape
 }
 
 dgd::ContactPatch<double> FindPatch(const PosedShape& shape_a, const PosedShape& shape_b,
-                                    const dgd::Result<double>& result, double contact_distance, double spacing) {
+                                    const dgd::Result<double>& result, double contact_distance, double spacing,
+                                    const PairMotion& motion) {
   const dgd::PatchFrame<double> frame(result);
   const auto face = [&frame](const PosedShape& shape, const Vector3& direction) {
     return std::visit([&](const auto& set) { return dgd::FindFace(set, shape.pose, direction, frame); }, shape.set);
   };
-  return dgd::FindContactPatch(result, frame, face(shape_a, result.normal), face(shape_b, -result.normal),
-                               contact_distance, spacing);
+  const auto keep = [&](const Vector3& point, double separation) {
+    return separation <= contact_distance || separation <= motion.Approach(point, result.normal);
+  };
+  return dgd::FindContactPatch(result, frame, face(shape_a, result.normal), face(shape_b, -result.normal), spacing,
+                               keep);
 }
 
 }  // namespace dgd_bullet

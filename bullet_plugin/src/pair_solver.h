@@ -3,6 +3,7 @@
 
 #include "dgd/contact_patch.h"
 #include "dgd/growth_distance.h"
+#include "pair_motion.h"
 #include "shape_adapter.h"
 
 namespace dgd_bullet {
@@ -15,8 +16,10 @@ double ReachableTolerance(const PosedShape& shape_a, const PosedShape& shape_b);
 dgd::Result<double> SolvePair(const PosedShape& shape_a, const PosedShape& shape_b,
                               const dgd::Settings<double>& settings, dgd::WarmStart<double>& warm_start);
 
-/// @param contact_distance, spacing  As in dgd::FindContactPatch(), metres.
+/// The contact patch of a solved pair: the points that are not farther apart than `contact_distance`, and those that
+/// `motion` makes touch. `spacing` as in dgd::FindContactPatch(). Metres.
 dgd::ContactPatch<double> FindPatch(const PosedShape& shape_a, const PosedShape& shape_b,
-                                    const dgd::Result<double>& result, double contact_distance, double spacing);
+                                    const dgd::Result<double>& result, double contact_distance, double spacing,
+                                    const PairMotion& motion);
 
 }  // namespace dgd_bullet

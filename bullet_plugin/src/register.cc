@@ -25,8 +25,8 @@ const Narrowphase& Register(btCollisionDispatcher* dispatcher, const Options& op
   for (int type_0 = 0; type_0 < MAX_BROADPHASE_COLLISION_TYPES; ++type_0) {
     for (int type_1 = 0; type_1 < MAX_BROADPHASE_COLLISION_TYPES; ++type_1) {
       if (!Narrowphase::Handles(type_0, type_1)) continue;
-      dispatcher->registerCollisionCreateFunc(type_0, type_1, narrowphase.CreateFunc());
-      dispatcher->registerClosestPointsCreateFunc(type_0, type_1, narrowphase.CreateFunc());
+      dispatcher->registerCollisionCreateFunc(type_0, type_1, narrowphase.ContactCreateFunc());
+      dispatcher->registerClosestPointsCreateFunc(type_0, type_1, narrowphase.ClosestPointsCreateFunc());
     }
   }
   return narrowphase;

@@ -30,7 +30,7 @@ struct ContactPatch {
   static constexpr int kMaxPoints = 4;
 
   std::array<ContactPoint<S>, kMaxPoints> points;  ///< The deepest first.
-  int size = 0;                                    ///< At least 1: the witness point, or one as deep.
+  int size = 0;
 };
 
 namespace contact_patch_internal {
@@ -233,16 +233,18 @@ template <class Set>
   return face;
 }
 
-/// The patch of two sets along result.normal, from their supporting faces along it and against it.
-/// @param result            Of GrowthDistance() for these sets and poses, with a normal.
-/// @param face_1, face_2    FindFace() of set 1 along the normal and of set 2 along its opposite.
-/// @param contact_distance  Points farther apart than this are left out; metres. The witness point never is.
-/// @param spacing           Least distance of two points across the normal; metres, >= 0.
-/// Does not allocate or throw.
-template <class S>
+/// The patch of two sets along result.normal, from their supporting faces along it and against it. The witness point is
+/// in it, or a point as deep.
+/// @param result          Of GrowthDistance() for these sets and poses, with a normal.
+/// @param face_1, face_2  FindFace() of set 1 along the normal and of set 2 along its opposite.
+/// @param spacing         Least distance of two points across the normal; metres, >= 0.
+/// @param keep            bool(const Vector3<S>& point, S separation): whether a point half way between the surfaces
+///                        (world, metres) belongs to the patch, e.g. because it is not farther apart than so much.
+/// Does not allocate or throw, if `keep` does not.
+template <class S, class Keep>
 [[gnu::flatten]] ContactPatch<S> FindContactPatch(const Result<S>& result, const PatchFrame<S>& frame,
                                                   const SupportingFace<S>& face_1, const SupportingFace<S>& face_2,
-                                                  S contact_distance, S spacing) {
+                                                  S spacing, const Keep& keep) {
   using namespace contact_patch_internal;
   const ProjectedFace<S> projected_1(face_1), projected_2(face_2);
   CornerList<S> overlap;
@@ -257,14 +259,18 @@ template <class S>
   // The witness, which is at the origin across the normal, unless a corner is as deep: for polytopes one usually is,
   // and a fourth corner serves the solver of the constraints better than a point in the middle.
   constexpr S kAsDeep = S(1e-3);
+  const S as_deep = result.separation + kAsDeep * spacing;
   CornerList<S> near;
   bool witness_needed = true;
-  for (int i = 0; i < overlap.size; ++i) {
-    if (!(overlap[i].Separation() <= contact_distance)) continue;
-    near.Add(overlap[i]);
-    if (overlap[i].Separation() <= result.separation + kAsDeep * contact_distance) witness_needed = false;
-  }
-  if (witness_needed) near.Add({0, 0, -result.separation / 2, result.separation / 2});
+  const auto add_if_kept = [&](const Corner<S>& corner) {
+    const Vector3<S> middle(corner.x, corner.y, (corner.height_1 + corner.height_2) / 2);
+    if (!keep(Vector3<S>(frame.origin + frame.axes * middle), corner.Separation())) return;
+    near.Add(corner);
+    if (corner.Separation() <= as_deep) witness_needed = false;
+  };
+  for (int i = 0; i < overlap.size; ++i) add_if_kept(overlap[i]);
+  if (witness_needed) add_if_kept({0, 0, -result.separation / 2, result.separation / 2});
+  if (near.size == 0) return {};
 
   CornerList<S> kept;
   Reduce(near, spacing, kept);
