@@ -84,7 +84,9 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
   const PosedShape shape_b = AdaptShape(ShapeOf(body_1), body_1->getWorldTransform(), narrowphase_.hulls(), hull_1_);
   // A shared manifold is refreshed by whoever shares it, and loses far points there.
   const PairMotion motion =
-      speculative_ && owns_manifold_ ? PairMotion(*body_0, *body_1, double(info.m_timeStep)) : PairMotion();
+      speculative_ && owns_manifold_
+          ? PairMotion(*body_0->getCollisionObject(), *body_1->getCollisionObject(), double(info.m_timeStep))
+          : PairMotion();
   const double breaking_threshold = double(manifold_->getContactBreakingThreshold());
   const double contact_distance = breaking_threshold + double(output.m_closestPointDistanceThreshold);
 

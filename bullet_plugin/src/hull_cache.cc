@@ -48,7 +48,7 @@ CachedHull::CachedHull(const btConvexShape& shape)
 bool CachedHull::Matches(const btConvexShape& shape) const {
   if (&shape != shape_) return false;
   const ShapePoints points(shape);
-  if (points.Count() != count_ || points.Scaling() != scaling_) return false;
+  if (points.Count() != count_ || !(points.Scaling() == scaling_)) return false;
   if (!bytes_.empty()) {
     return points.ByteSize() == bytes_.size() && points.Bytes() != nullptr &&
            std::memcmp(points.Bytes(), bytes_.data(), bytes_.size()) == 0;

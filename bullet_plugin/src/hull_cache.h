@@ -32,7 +32,7 @@ class CachedHull {
  private:
   const btConvexShape* shape_;
   int count_;
-  Vector3 scaling_;
+  btVector3 scaling_;
   std::vector<unsigned char> bytes_;  // Of all points, for small hulls kept in an array ...
   std::vector<Vector3> samples_;      // ... else some of the points, scaled.
   dgd::Polytope<double> core_;

@@ -1,43 +1,41 @@
 #include "pair_motion.h"
 
-#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 namespace dgd_bullet {
 namespace {
 
-/// Velocities of one body; the centre of mass is the origin of its world transform.
-struct BodyVelocity {
-  explicit BodyVelocity(const btCollisionObjectWrapper& wrapper) {
-    const btCollisionObject* object = wrapper.getCollisionObject();
-    center = FromBullet(object->getWorldTransform().getOrigin());
-    const btRigidBody* body = btRigidBody::upcast(object);
-    if (body == nullptr || body->isStaticObject()) return;
-    linear = FromBullet(body->getLinearVelocity());
-    angular = FromBullet(body->getAngularVelocity());
-    if (!(angular.squaredNorm() > 0)) return;
-    // The shape may be a compound's child, whose frame is off the body's centre.
-    const double lever = (FromBullet(wrapper.getWorldTransform().getOrigin()) - center).norm();
-    rim_speed = angular.norm() * (lever + double(wrapper.getCollisionShape()->getAngularMotionDisc()));
+/// Distance from the body's centre to the farthest corner of its bounding box: no point of the body is farther.
+/// Bullet's own bound, getAngularMotionDisc(), computes a bounding box first.
+double Reach(const btCollisionObject& object, const Vector3& center) {
+  const btBroadphaseProxy* proxy = object.getBroadphaseHandle();
+  if (proxy == nullptr) {
+    return double(object.getCollisionShape()->getAngularMotionDisc());
   }
-
-  Vector3 center;
-  Vector3 linear = Vector3::Zero();
-  Vector3 angular = Vector3::Zero();
-  double rim_speed = 0;  // Of the farthest point, by rotation alone.
-};
+  const Vector3 low = FromBullet(proxy->m_aabbMin), high = FromBullet(proxy->m_aabbMax);
+  return (high - center).cwiseMax(center - low).norm();
+}
 
 }  // namespace
 
-PairMotion::PairMotion(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
-                       double time_step) {
-  const BodyVelocity a(body_a), b(body_b);
-  // Both motions seen from B's centre, where a point of A would move with linear + angular x offset.
-  origin_ = b.center;
-  displacement_ = time_step * (b.linear - a.linear - a.angular.cross(b.center - a.center));
-  rotation_ = time_step * (b.angular - a.angular);
-  max_approach_ = time_step * ((b.linear - a.linear).norm() + a.rim_speed + b.rim_speed);
+PairMotion::Twist PairMotion::Read(const btCollisionObject& object, double& rim_speed) {
+  const btRigidBody* body = btRigidBody::upcast(&object);
+  if (body == nullptr || body->isStaticObject()) return {};
+  // The centre of mass is the origin of the world transform.
+  const Twist twist{FromBullet(body->getLinearVelocity()), FromBullet(body->getAngularVelocity()),
+                    FromBullet(body->getWorldTransform().getOrigin())};
+  rim_speed += twist.angular.norm() * Reach(object, twist.center);
+  return twist;
+}
+
+PairMotion::PairMotion(const btCollisionObject& body_a, const btCollisionObject& body_b, double time_step)
+    : time_step_(time_step) {
+  double rim_speed = 0;
+  a_ = Read(body_a, rim_speed);
+  b_ = Read(body_b, rim_speed);
+  max_approach_ = time_step * ((b_.linear - a_.linear).norm() + rim_speed);
 }
 
 }  // namespace dgd_bullet

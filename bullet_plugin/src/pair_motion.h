@@ -3,32 +3,41 @@
 
 #include "bullet_conversions.h"
 
-struct btCollisionObjectWrapper;
+class btCollisionObject;
 
 namespace dgd_bullet {
 
-/// The motion of B relative to A as a screw: at x, velocity = linear + angular x (x - origin).
 class PairMotion {
  public:
   /// Bodies at rest to each other.
   PairMotion() = default;
 
   /// The bodies' motion over `time_step` seconds. Only rigid bodies have velocities; others count as at rest.
-  PairMotion(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b, double time_step);
+  PairMotion(const btCollisionObject& body_a, const btCollisionObject& body_b, double time_step);
 
   /// Metres by which the surfaces come closer along `normal` (unit, from A to B) at a world point; negative if they
   /// part.
   double Approach(const Vector3& point, const Vector3& normal) const {
-    return -normal.dot(displacement_ + rotation_.cross(point - origin_));
+    return time_step_ * normal.dot(a_.VelocityAt(point) - b_.VelocityAt(point));
   }
 
   /// No point of either body approaches the other by more than this, metres.
   double MaxApproach() const { return max_approach_; }
 
  private:
-  Vector3 origin_ = Vector3::Zero();        // World, metres.
-  Vector3 displacement_ = Vector3::Zero();  // Of B relative to A at the origin, metres.
-  Vector3 rotation_ = Vector3::Zero();      // Of B relative to A, radians.
+  struct Twist {
+    Vector3 VelocityAt(const Vector3& point) const { return linear + angular.cross(point - center); }
+
+    Vector3 linear = Vector3::Zero();   // Of the centre of mass, metres per second.
+    Vector3 angular = Vector3::Zero();  // Radians per second.
+    Vector3 center = Vector3::Zero();   // World, metres.
+  };
+
+  /// The twist of a body; adds its farthest point's speed by rotation alone to `rim_speed`.
+  static Twist Read(const btCollisionObject& body, double& rim_speed);
+
+  Twist a_, b_;
+  double time_step_ = 0;
   double max_approach_ = 0;
 };
 

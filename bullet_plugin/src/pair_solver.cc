@@ -27,11 +27,11 @@ dgd::ContactPatch<double> FindPatch(const PosedShape& shape_a, const PosedShape&
   const auto face = [&frame](const PosedShape& shape, const Vector3& direction) {
     return std::visit([&](const auto& set) { return dgd::FindFace(set, shape.pose, direction, frame); }, shape.set);
   };
-  const auto keep = [&](const Vector3& point, double separation) {
-    return separation <= contact_distance || separation <= motion.Approach(point, result.normal);
+  const auto is_approaching = [&](const Vector3& point, double separation) {
+    return separation <= motion.Approach(point, result.normal);
   };
-  return dgd::FindContactPatch(result, frame, face(shape_a, result.normal), face(shape_b, -result.normal), spacing,
-                               keep);
+  return dgd::FindContactPatch(result, frame, face(shape_a, result.normal), face(shape_b, -result.normal),
+                               contact_distance, spacing, is_approaching);
 }
 
 }  // namespace dgd_bullet

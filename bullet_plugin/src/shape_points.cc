@@ -34,21 +34,23 @@ bool IsHullOfPoints(int shape_type) {
   }
 }
 
-ShapePoints::ShapePoints(const btConvexShape& shape) : shape_(shape), stride_(sizeof(btVector3)) {
-  is_double_ = sizeof(btScalar) == sizeof(double);
+ShapePoints::ShapePoints(const btConvexShape& shape)
+    : shape_(shape), stride_(sizeof(btVector3)), is_double_(sizeof(btScalar) == sizeof(double)) {
+  static const btVector3 kUnscaled(1, 1, 1);
+  scaling_ = &kUnscaled;
   switch (shape.getShapeType()) {
     case CONVEX_HULL_SHAPE_PROXYTYPE: {
       const auto& hull = static_cast<const btConvexHullShape&>(shape);
       count_ = hull.getNumPoints();
       if (count_ > 0) base_ = reinterpret_cast<const unsigned char*>(hull.getUnscaledPoints());
-      scaling_ = FromBullet(hull.getLocalScalingNV());
+      scaling_ = &hull.getLocalScalingNV();
       break;
     }
     case CONVEX_POINT_CLOUD_SHAPE_PROXYTYPE: {
       const auto& cloud = static_cast<const btConvexPointCloudShape&>(shape);
       count_ = cloud.getNumPoints();
       base_ = reinterpret_cast<const unsigned char*>(cloud.getUnscaledPoints());
-      scaling_ = FromBullet(cloud.getLocalScalingNV());
+      scaling_ = &cloud.getLocalScalingNV();
       break;
     }
     case TETRAHEDRAL_SHAPE_PROXYTYPE:
@@ -66,7 +68,7 @@ ShapePoints::ShapePoints(const btConvexShape& shape) : shape_(shape), stride_(si
       mesh->unLockReadOnlyVertexBase(0);
       base_ = vertices;
       is_double_ = vertex_type == PHY_DOUBLE;
-      scaling_ = FromBullet(mesh->getScaling());
+      scaling_ = &mesh->getScaling();
       break;
     }
     default:
@@ -89,7 +91,7 @@ Vector3 ShapePoints::operator[](int i) const {
     const auto* coordinates = reinterpret_cast<const float*>(bytes);
     point = {double(coordinates[0]), double(coordinates[1]), double(coordinates[2])};
   }
-  return point.cwiseProduct(scaling_);
+  return point.cwiseProduct(FromBullet(*scaling_));
 }
 
 std::vector<Vector3> AllPoints(const btConvexShape& shape) {

@@ -20,7 +20,7 @@ class ShapePoints {
 
   int Count() const { return count_; }
   Vector3 operator[](int i) const;
-  const Vector3& Scaling() const { return scaling_; }
+  const btVector3& Scaling() const { return *scaling_; }
 
   /// The points as they lie in memory, ByteSize() bytes before scaling; null where the shape does not keep an array.
   const unsigned char* Bytes() const { return base_; }
@@ -32,7 +32,7 @@ class ShapePoints {
   int stride_ = 0;                       // Bytes.
   bool is_double_ = false;
   int count_ = 0;
-  Vector3 scaling_ = Vector3::Ones();
+  const btVector3* scaling_;
 };
 
 /// All points of the shape that belong to its hull.

@@ -16,9 +16,9 @@ struct Options {
   /// no longer has. Off: one point a step, and Bullet's own accumulation over several steps.
   bool contact_patch = true;
 
-  /// In a dynamics world, also hand over points that are still farther apart than Bullet's contact breaking threshold if
-  /// the bodies' velocities make them touch within the time step: fast impacts are then met, not found when the bodies
-  /// already overlap. Needs contact_patch. contactTest() and its like never see such points.
+  /// In a dynamics world, also hand over points that are still farther apart than Bullet's contact breaking threshold
+  /// if the bodies' velocities make them touch within the time step: fast impacts are then met, not found when the
+  /// bodies already overlap. Needs contact_patch. contactTest() and its like never see such points.
   bool speculative_contacts = true;
 };
 

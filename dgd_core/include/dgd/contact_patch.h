@@ -47,7 +47,9 @@ struct Corner {
 /// one corner by each.
 template <class S>
 struct CornerList {
-  std::array<Corner<S>, 2 * SupportingFace<S>::kMaxPoints + 1> corners;  // One more for the witness.
+  static constexpr std::size_t kCapacity = 2 * SupportingFace<S>::kMaxPoints + 1;  // One more for the witness.
+
+  std::array<Corner<S>, kCapacity> corners;
   int size = 0;
 
   void Add(const Corner<S>& corner) { corners[static_cast<std::size_t>(size++)] = corner; }
@@ -91,27 +93,38 @@ class ProjectedFace {
 
 /// Keeps the part of `subject` (polygon or segment) on the inner side of the line from a to b (Sutherland-Hodgman).
 /// @param orientation  +1 if the clipping polygon runs counterclockwise, -1 if clockwise.
+/// @return false, and `clipped` is left as it was, if that is all of it.
 template <class S>
-void ClipByLine(const Vector3<S>& a, const Vector3<S>& b, S orientation, const CornerList<S>& subject,
+bool ClipByLine(const Vector3<S>& a, const Vector3<S>& b, S orientation, const CornerList<S>& subject,
                 CornerList<S>& clipped) {
   const S dx = orientation * (b.x() - a.x()), dy = orientation * (b.y() - a.y());
-  const auto side = [&](const Corner<S>& corner) { return dx * (corner.y - a.y()) - dy * (corner.x - a.x()); };
+  std::array<S, CornerList<S>::kCapacity> sides;
+  bool all_inside = true;
+  for (int i = 0; i < subject.size; ++i) {
+    const S side = dx * (subject[i].y - a.y()) - dy * (subject[i].x - a.x());
+    sides[static_cast<std::size_t>(i)] = side;
+    all_inside = all_inside && side >= 0;
+  }
+  if (all_inside) return false;
+
   clipped.size = 0;
   const bool closed = subject.size > 2;
   for (int i = 0; i < subject.size; ++i) {
-    const Corner<S>& from = subject[i];
-    const S side_from = side(from);
-    if (side_from >= 0) clipped.Add(from);
+    const S side_from = sides[static_cast<std::size_t>(i)];
+    if (side_from >= 0) clipped.Add(subject[i]);
     if (!closed && i + 1 == subject.size) break;
-    const Corner<S>& to = subject[i + 1 < subject.size ? i + 1 : 0];
-    const S side_to = side(to);
+    const int next = i + 1 < subject.size ? i + 1 : 0;
+    const S side_to = sides[static_cast<std::size_t>(next)];
     if ((side_from > 0 && side_to < 0) || (side_from < 0 && side_to > 0)) {
+      const Corner<S>& from = subject[i];
+      const Corner<S>& to = subject[next];
       const S t = side_from / (side_from - side_to);
       clipped.Add({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y),
                    from.height_1 + t * (to.height_1 - from.height_1),
                    from.height_2 + t * (to.height_2 - from.height_2)});
     }
   }
+  return true;
 }
 
 /// The overlap of a face (polygon or segment) with a polygon. `subject_is_1` tells whose heights the subject carries;
@@ -130,8 +143,9 @@ void ClipByPolygon(const ProjectedFace<S>& subject, bool subject_is_1, const Pro
   CornerList<S>* next = &buffer;
   for (int i = 0; i < lines && current->size > 0; ++i) {
     const auto from = static_cast<std::size_t>(i), to = static_cast<std::size_t>(i + 1 < lines ? i + 1 : 0);
-    ClipByLine(polygon.Face().points[from], polygon.Face().points[to], polygon.Orientation(), *current, *next);
-    std::swap(current, next);
+    if (ClipByLine(polygon.Face().points[from], polygon.Face().points[to], polygon.Orientation(), *current, *next)) {
+      std::swap(current, next);
+    }
   }
   if (current == &overlap) return;
   overlap.size = 0;
@@ -235,16 +249,18 @@ template <class Set>
 
 /// The patch of two sets along result.normal, from their supporting faces along it and against it. The witness point is
 /// in it, or a point as deep.
-/// @param result          Of GrowthDistance() for these sets and poses, with a normal.
-/// @param face_1, face_2  FindFace() of set 1 along the normal and of set 2 along its opposite.
-/// @param spacing         Least distance of two points across the normal; metres, >= 0.
-/// @param keep            bool(const Vector3<S>& point, S separation): whether a point half way between the surfaces
-///                        (world, metres) belongs to the patch, e.g. because it is not farther apart than so much.
-/// Does not allocate or throw, if `keep` does not.
-template <class S, class Keep>
+/// @param result            Of GrowthDistance() for these sets and poses, with a normal.
+/// @param face_1, face_2    FindFace() of set 1 along the normal and of set 2 along its opposite.
+/// @param contact_distance  Points not farther apart than this belong to the patch; metres.
+/// @param spacing           Least distance of two points across the normal; metres, >= 0.
+/// @param is_approaching    bool(const Vector3<S>& point, S separation): whether a point beyond the contact distance
+///                          belongs to it too, e.g. because the sets move. World, half way between the surfaces,
+///                          metres.
+/// Does not allocate or throw, if `is_approaching` does not.
+template <class S, class IsApproaching>
 [[gnu::flatten]] ContactPatch<S> FindContactPatch(const Result<S>& result, const PatchFrame<S>& frame,
                                                   const SupportingFace<S>& face_1, const SupportingFace<S>& face_2,
-                                                  S spacing, const Keep& keep) {
+                                                  S contact_distance, S spacing, const IsApproaching& is_approaching) {
   using namespace contact_patch_internal;
   const ProjectedFace<S> projected_1(face_1), projected_2(face_2);
   CornerList<S> overlap;
@@ -263,8 +279,12 @@ template <class S, class Keep>
   CornerList<S> near;
   bool witness_needed = true;
   const auto add_if_kept = [&](const Corner<S>& corner) {
-    const Vector3<S> middle(corner.x, corner.y, (corner.height_1 + corner.height_2) / 2);
-    if (!keep(Vector3<S>(frame.origin + frame.axes * middle), corner.Separation())) return;
+    const auto in_world = [&] {
+      return Vector3<S>(frame.origin +
+                        frame.axes * Vector3<S>(corner.x, corner.y, (corner.height_1 + corner.height_2) / 2));
+    };
+    const S separation = corner.Separation();
+    if (!(separation <= contact_distance) && !is_approaching(in_world(), separation)) return;
     near.Add(corner);
     if (corner.Separation() <= as_deep) witness_needed = false;
   };

@@ -73,15 +73,19 @@ class CoreReference {
   const CoreType* core_;
 };
 
+/// The message of a refused length, out of the way of the check.
+template <class Scalar>
+[[noreturn, gnu::cold, gnu::noinline]] void RefuseLength(Scalar value, bool may_be_zero, const char* what) {
+  throw std::invalid_argument(std::string(what) +
+                              (may_be_zero ? " must be finite and >= 0" : " must be finite and > 0") +
+                              ", in metres; got " + std::to_string(value));
+}
+
 /// Throws std::invalid_argument naming `what` and the value unless it is finite and at least (or above) zero.
 template <class Scalar>
 Scalar RequireLength(Scalar value, bool may_be_zero, const char* what) {
   const bool valid = std::isfinite(value) && (may_be_zero ? value >= 0 : value > 0);
-  if (!valid) {
-    throw std::invalid_argument(std::string(what) +
-                                (may_be_zero ? " must be finite and >= 0" : " must be finite and > 0") +
-                                ", in metres; got " + std::to_string(value));
-  }
+  if (!valid) RefuseLength(value, may_be_zero, what);
   return value;
 }
 

@@ -58,8 +58,8 @@ struct Result {
   S separation = 0;
 
   /// Points of set 1 and set 2 in the world, metres, that coincide when both sets are scaled by upper_bound about
-  /// their centres (paper, eq. primal-optimal-from-ray-intersection). kSeparated may leave upper_bound infinite: the
-  /// points are the sets' support points along and against the normal then.
+  /// their centres (paper, eq. primal-optimal-from-ray-intersection). Zero where upper_bound is infinite, as it is when
+  /// kSeparated came before any point was found.
   Vector3<S> witness_1 = Vector3<S>::Zero();
   Vector3<S> witness_2 = Vector3<S>::Zero();
 

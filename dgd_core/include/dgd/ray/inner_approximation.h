@@ -27,6 +27,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "dgd/ray/minkowski_difference.h"
 #include "dgd/ray/tolerances.h"
@@ -74,15 +75,14 @@ class InnerApproximation {
   /// if the ray leaves through the same feature, not lower than so far.
   bool AdoptBasis(const std::array<DifferencePoint<S>, 3>& basis, int size) {
     if (size < 1 || (rounding_ == 0 && size < 3)) return false;
-    InnerApproximation candidate = *this;
-    candidate.points_ = basis;
-    const DifferencePoint<S>& last = basis[static_cast<std::size_t>(size - 1)];
+    const Vector3<S>& a = basis[0].point;
     Exit exit;
-    const bool found = size == 3   ? candidate.TriangleExit(0, 1, last.point, exit)
-                       : size == 2 ? candidate.EdgeExit(0, last.point, exit)
-                                   : candidate.VertexExit(last.point, exit);
-    if (!found || !candidate.Adopt(exit, last)) return false;
-    *this = candidate;
+    const bool found = size == 3   ? TriangleExit(a, basis[1].point, basis[2].point, exit)
+                       : size == 2 ? EdgeExit(a, basis[1].point, exit)
+                                   : VertexExit(a, exit);
+    if (!found || !(exit.height >= height_)) return false;
+    points_ = basis;
+    Adopt(exit);
     return true;
   }
 
@@ -108,8 +108,8 @@ class InnerApproximation {
   struct Exit {
     S height = -1;  // Below any real one: no exit found.
     Vector3<S> normal = Vector3<S>::UnitZ();
-    std::array<S, 3> weights{};          // Of the points below, convex.
-    std::array<int, 2> kept = {-1, -1};  // Indices into points_; the added point comes last.
+    std::array<S, 3> weights{};          // Of the feature's points, convex.
+    std::array<int, 2> kept = {-1, -1};  // Which basis points those are; the added point comes last.
     int size = 0;
   };
 
@@ -143,10 +143,8 @@ class InnerApproximation {
     return true;
   }
 
-  /// Offset triangle: the plane through i, j and the added point, moved by R along its normal.
-  bool TriangleExit(int i, int j, const Vector3<S>& c, Exit& exit) const {
-    const Vector3<S>& a = points_[static_cast<std::size_t>(i)].point;
-    const Vector3<S>& b = points_[static_cast<std::size_t>(j)].point;
+  /// Offset triangle: the plane through a, b and c, moved by R along its normal.
+  bool TriangleExit(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, Exit& exit) const {
     if (!UpwardNormal(a, b, c, exit.normal)) return false;
     // The plane moves sideways by the normal's lateral part, and the triangle's border with it.
     const Vector3<S> shift = rounding_ * exit.normal;
@@ -154,14 +152,12 @@ class InnerApproximation {
     exit.weights = {Cross(shifted_b, shifted_c), Cross(shifted_c, shifted_a), Cross(shifted_a, shifted_b)};
     if (!Normalize(exit.weights)) return false;
     exit.height = exit.weights[0] * shifted_a.z() + exit.weights[1] * shifted_b.z() + exit.weights[2] * shifted_c.z();
-    exit.kept = {i, j};
     exit.size = 3;
     return true;
   }
 
-  /// Offset edge: the cylinder about the segment from i to the added point.
-  bool EdgeExit(int i, const Vector3<S>& b, Exit& exit) const {
-    const Vector3<S>& a = points_[static_cast<std::size_t>(i)].point;
+  /// Offset edge: the cylinder about the segment from a to b.
+  bool EdgeExit(const Vector3<S>& a, const Vector3<S>& b, Exit& exit) const {
     const Vector3<S> d = b - a;
     const S lateral_sq = d.x() * d.x() + d.y() * d.y();
     if (!(lateral_sq > 0)) return false;  // Along the ray: its upper end is higher.
@@ -181,12 +177,11 @@ class InnerApproximation {
                    half_width * lateral / (length * rounding_)};
     exit.normal.normalize();
     exit.weights = {1 - t, t, 0};
-    exit.kept = {i, -1};
     exit.size = 2;
     return true;
   }
 
-  /// Offset vertex: the ball about the added point.
+  /// Offset vertex: the ball about a.
   bool VertexExit(const Vector3<S>& a, Exit& exit) const {
     const S half_width_sq = rounding_ * rounding_ - a.x() * a.x() - a.y() * a.y();
     if (!(half_width_sq > 0)) return false;
@@ -210,64 +205,70 @@ class InnerApproximation {
     return 1;
   }
 
+  const Vector3<S>& PointOf(int i) const { return points_[static_cast<std::size_t>(i)].point; }
+
   bool InsertRounded(const DifferencePoint<S>& added) {
     const Vector3<S>& w = added.point;
-    Exit best;
+    Exit best, exit;
+    const auto keep_higher = [&](int i, int j) {
+      if (!(exit.height > best.height)) return;
+      best = exit;
+      best.kept = {i, j};
+    };
     if (size_ == 3) {
       // Most steps end here: the likely triangle carries the ray and the dropped point lies below it.
       const int outgoing = OutgoingIndex(w, rounding_ * normal_);
-      Exit exit;
-      if (TriangleExit((outgoing + 1) % 3, (outgoing + 2) % 3, w, exit)) {
-        const Vector3<S>& dropped = points_[static_cast<std::size_t>(outgoing)].point;
-        if (exit.normal.dot(dropped - w) <= 0) return Adopt(exit, added);
-        best = exit;
+      for (int turn = 0; turn < 3; ++turn) {
+        const int dropped = (outgoing + turn) % 3, i = (outgoing + turn + 1) % 3, j = (outgoing + turn + 2) % 3;
+        if (!TriangleExit(PointOf(i), PointOf(j), w, exit)) continue;
+        keep_higher(i, j);
+        if (turn == 0 && exit.normal.dot(PointOf(dropped) - w) <= 0) return Replace(best, added);
       }
-      for (int i = 1; i < 3; ++i) {
-        if (TriangleExit((outgoing + i + 1) % 3, (outgoing + i + 2) % 3, w, exit)) KeepHigher(exit, best);
-      }
-    } else if (size_ == 2) {
-      Exit exit;
-      if (TriangleExit(0, 1, w, exit)) return Adopt(exit, added);
+    } else if (size_ == 2 && TriangleExit(PointOf(0), PointOf(1), w, exit)) {
+      keep_higher(0, 1);
+      return Replace(best, added);
     }
-    Exit exit;
     for (int i = 0; i < size_; ++i) {
-      if (EdgeExit(i, w, exit)) KeepHigher(exit, best);
+      if (EdgeExit(PointOf(i), w, exit)) keep_higher(i, -1);
     }
-    if (VertexExit(w, exit)) KeepHigher(exit, best);
-    return Adopt(best, added);
+    if (VertexExit(w, exit)) keep_higher(-1, -1);
+    return Replace(best, added);
   }
 
   bool InsertSharp(const DifferencePoint<S>& added) {
     const int outgoing = OutgoingIndex(added.point, Vector3<S>::Zero());
     Exit exit;
-    if (!TriangleExit((outgoing + 1) % 3, (outgoing + 2) % 3, added.point, exit)) return false;
-    return Adopt(exit, added);
+    exit.kept = {(outgoing + 1) % 3, (outgoing + 2) % 3};
+    return TriangleExit(PointOf(exit.kept[0]), PointOf(exit.kept[1]), added.point, exit) && Replace(exit, added);
   }
 
-  static void KeepHigher(const Exit& exit, Exit& best) {
-    if (exit.height > best.height) best = exit;
-  }
-
-  /// Makes `exit` the basis unless it is lower: the bound is monotone also under rounding. Equal heights are taken:
-  /// where the ray meets an edge of the basis, a simplex step turns the plane without raising it.
-  bool Adopt(const Exit& exit, const DifferencePoint<S>& added) {
+  /// Makes the kept points and the added one the basis, unless that is lower: the bound is monotone also under
+  /// rounding. Equal heights are taken: where the ray meets an edge of the basis, a simplex step turns the plane
+  /// without raising it.
+  bool Replace(const Exit& exit, const DifferencePoint<S>& added) {
     if (!(exit.height >= height_)) return false;
-    std::array<DifferencePoint<S>, 3> points;
-    for (int i = 0; i + 1 < exit.size; ++i) {
-      points[static_cast<std::size_t>(i)] = points_[static_cast<std::size_t>(exit.kept[static_cast<std::size_t>(i)])];
+    // The kept points go to the front; i < j cyclically, so they may have to move in either order.
+    std::array<DifferencePoint<S>, 2> kept;
+    for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(exit.size); ++i) {
+      kept[i] = points_[static_cast<std::size_t>(exit.kept[i])];
     }
-    points[static_cast<std::size_t>(exit.size - 1)] = added;
+    for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(exit.size); ++i) points_[i] = kept[i];
+    points_[static_cast<std::size_t>(exit.size - 1)] = added;
+    Adopt(exit);
+    return true;
+  }
+
+  /// Takes over the exit of the points that are now the basis.
+  void Adopt(const Exit& exit) {
     weights_ = exit.weights;
-    // Counterclockwise about the ray, which OutgoingIndex relies on.
-    if (exit.size == 3 && Cross(points[1].point - points[0].point, points[2].point - points[0].point) < 0) {
-      std::swap(points[0], points[1]);
-      std::swap(weights_[0], weights_[1]);
-    }
-    points_ = points;
     size_ = exit.size;
     height_ = exit.height;
     normal_ = exit.normal;
-    return true;
+    // Counterclockwise about the ray, which OutgoingIndex relies on.
+    if (size_ == 3 && Cross(PointOf(1) - PointOf(0), PointOf(2) - PointOf(0)) < 0) {
+      std::swap(points_[0], points_[1]);
+      std::swap(weights_[0], weights_[1]);
+    }
   }
 
   std::array<DifferencePoint<S>, 3> points_;

@@ -179,11 +179,7 @@ template <class Set1, class Set2>
   result.iterations = 1;
   result.normal = normal;
   result.separation = separation;
-  result.witness_1 = pose_1 * support_1 + set_1.radius * normal;
-  result.witness_2 = pose_2 * support_2 - set_2.radius * normal;
-  const S along_centers =
-      normal.dot(pose_2 * Vector3<S>(set_2.core.Center()) - pose_1 * Vector3<S>(set_1.core.Center()));
-  result.lower_bound = along_centers / (along_centers - separation);
+  result.lower_bound = 1;  // The sets are apart.
   return true;
 }
 
@@ -226,7 +222,8 @@ CollisionResult<typename Set1::Scalar> DetectCollision(const Set1& set_1, const 
     result.iterations = apart.iterations;
     result.normal = apart.normal;
     result.separation = apart.separation;
-    result.point = apart.witness_1 + apart.separation / 2 * apart.normal;
+    const Vector3<S> support_1 = pose_1 * set_1.core.Support(warm_start->normal_1).point;
+    result.point = support_1 + (set_1.radius + apart.separation / 2) * apart.normal;
     return result;
   }
   RayIntersection<Set1, Set2> query(set_1, pose_1, set_2, pose_2, settings);

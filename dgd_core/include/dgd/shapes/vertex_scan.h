@@ -1,7 +1,9 @@
 // Index of the point farthest along a direction, among points stored by coordinate.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "dgd/types.h"
@@ -33,10 +35,15 @@ class PointArrays {
     return {coordinates_[i], coordinates_[padded_ + i], coordinates_[2 * padded_ + i]};
   }
 
-  /// The first point of largest <direction, x> in its lane; one of the points also if the direction is NaN.
+  /// A point of largest <direction, x>; some point if the direction is NaN.
   VertexId Farthest(const Vector3<S>& direction) const;
 
  private:
+  typedef S Lanes __attribute__((vector_size(16)));
+
+  /// Points scanned at once: their heights stay on the stack until the highest one's place is known.
+  static constexpr std::size_t kChunk = 64;
+
   std::size_t size_;
   std::size_t padded_;
   std::vector<S> coordinates_;
@@ -44,11 +51,9 @@ class PointArrays {
 
 template <class S>
 VertexId PointArrays<S>::Farthest(const Vector3<S>& direction) const {
-  using Index = std::conditional_t<sizeof(S) == 8, std::int64_t, std::int32_t>;
-  typedef S Lanes __attribute__((vector_size(16)));
-  typedef Index IndexLanes __attribute__((vector_size(16)));
   // Unaligned, and allowed to alias the scalars that it reads.
   typedef S LoadLanes __attribute__((vector_size(16), aligned(alignof(S)), may_alias));
+  const auto load = [](const S* array) { return Lanes(*reinterpret_cast<const LoadLanes*>(array)); };
 
   const S* x = coordinates_.data();
   const S* y = x + padded_;
@@ -56,39 +61,31 @@ VertexId PointArrays<S>::Farthest(const Vector3<S>& direction) const {
   const Lanes dx = direction.x() - Lanes{};
   const Lanes dy = direction.y() - Lanes{};
   const Lanes dz = direction.z() - Lanes{};
-  const auto heights = [&](std::size_t i) {
-    const auto load = [i](const S* array) { return Lanes(*reinterpret_cast<const LoadLanes*>(array + i)); };
-    return load(x) * dx + load(y) * dy + load(z) * dz;
-  };
 
-  Lanes best_a = heights(0);
-  Lanes best_b = heights(kLanes);
-  // Block numbers of the best of each lane; the lane itself is added at the end.
-  IndexLanes block_a{}, block_b{}, block{};
-  for (std::size_t i = kBlock; i < padded_; i += kBlock) {
-    block += 1;
-    const Lanes a = heights(i);
-    const Lanes b = heights(i + kLanes);
-    const IndexLanes better_a = a > best_a;
-    const IndexLanes better_b = b > best_b;
-    best_a = better_a ? a : best_a;
-    best_b = better_b ? b : best_b;
-    block_a = better_a ? block : block_a;
-    block_b = better_b ? block : block_b;
-  }
-
-  S best = best_a[0];
-  std::size_t farthest = static_cast<std::size_t>(block_a[0]) * kBlock;
-  const auto reduce = [&](const Lanes& lanes, const IndexLanes& blocks, std::size_t offset) {
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      if (lanes[lane] > best) {
-        best = lanes[lane];
-        farthest = static_cast<std::size_t>(blocks[lane]) * kBlock + offset + lane;
-      }
+  S highest = -std::numeric_limits<S>::infinity();
+  std::size_t farthest = 0;
+  Lanes heights[kChunk / kLanes];
+  for (std::size_t begin = 0; begin < padded_; begin += kChunk) {
+    // First the greatest height of the chunk, which vectors find without a branch; then where it was.
+    const std::size_t vectors = std::min(kChunk, padded_ - begin) / kLanes;
+    Lanes even = highest - Lanes{};
+    Lanes odd = even;
+    for (std::size_t i = 0; i < vectors; i += 2) {
+      const std::size_t a = begin + i * kLanes, b = a + kLanes;
+      heights[i] = load(x + a) * dx + load(y + a) * dy + load(z + a) * dz;
+      heights[i + 1] = load(x + b) * dx + load(y + b) * dy + load(z + b) * dz;
+      even = heights[i] > even ? heights[i] : even;
+      odd = heights[i + 1] > odd ? heights[i + 1] : odd;
     }
-  };
-  reduce(best_a, block_a, 0);
-  reduce(best_b, block_b, kLanes);
+    even = even > odd ? even : odd;
+    S top = even[0];
+    for (std::size_t lane = 1; lane < kLanes; ++lane) top = even[lane] > top ? even[lane] : top;
+    if (!(top > highest)) continue;
+    highest = top;
+    std::size_t place = 0;
+    while (heights[place / kLanes][place % kLanes] != top) ++place;
+    farthest = begin + place;
+  }
   return static_cast<VertexId>(farthest < size_ ? farthest : 0);
 }
 
