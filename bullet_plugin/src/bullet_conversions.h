@@ -19,17 +19,17 @@ inline Vector3 FromBullet(const btVector3& v) { return {double(v.x()), double(v.
 
 inline btVector3 ToBullet(const Vector3& v) { return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())}; }
 
-/// Columns `first`, then the two that follow it cyclically: the rotation of a frame whose z axis is Bullet's axis
-/// `up` is the one that starts with the axis after `up`.
+/// The pose of a set whose z axis is Bullet's axis `up_axis`: the columns that follow it cyclically come first.
 inline Pose FromBullet(const btTransform& transform, int up_axis) {
   const btMatrix3x3& basis = transform.getBasis();
-  Pose pose;
-  for (int column = 0; column < 3; ++column) {
-    const int axis = (up_axis + 1 + column) % 3;
-    for (int row = 0; row < 3; ++row) pose.rotation(row, column) = double(basis[row][axis]);
+  const int x = up_axis == 2 ? 0 : up_axis + 1, y = x == 2 ? 0 : x + 1;
+  Matrix3 rotation;
+  for (int row = 0; row < 3; ++row) {
+    rotation(row, 0) = double(basis[row][x]);
+    rotation(row, 1) = double(basis[row][y]);
+    rotation(row, 2) = double(basis[row][up_axis]);
   }
-  pose.translation = FromBullet(transform.getOrigin());
-  return pose;
+  return {rotation, FromBullet(transform.getOrigin())};
 }
 
 }  // namespace dgd_bullet

@@ -50,8 +50,7 @@ bool CachedHull::Matches(const btConvexShape& shape) const {
   const ShapePoints points(shape);
   if (points.Count() != count_ || !(points.Scaling() == scaling_)) return false;
   if (!bytes_.empty()) {
-    return points.ByteSize() == bytes_.size() && points.Bytes() != nullptr &&
-           std::memcmp(points.Bytes(), bytes_.data(), bytes_.size()) == 0;
+    return points.ByteSize() == bytes_.size() && std::memcmp(points.Bytes(), bytes_.data(), bytes_.size()) == 0;
   }
   for (int i = 0; i < static_cast<int>(samples_.size()); ++i) {
     // False for NaN: such a shape is never cached.

@@ -11,6 +11,8 @@
 namespace dgd_bullet {
 namespace {
 
+const btVector3 kUnscaled(1, 1, 1);
+
 /// Collects the corners of a mesh's triangles, which Bullet hands over scaled.
 class CornerCollector : public btInternalTriangleIndexCallback {
  public:
@@ -35,14 +37,13 @@ bool IsHullOfPoints(int shape_type) {
 }
 
 ShapePoints::ShapePoints(const btConvexShape& shape)
-    : shape_(shape), stride_(sizeof(btVector3)), is_double_(sizeof(btScalar) == sizeof(double)) {
-  static const btVector3 kUnscaled(1, 1, 1);
-  scaling_ = &kUnscaled;
+    : shape_(shape), stride_(sizeof(btVector3)), is_double_(sizeof(btScalar) == sizeof(double)), scaling_(&kUnscaled) {
   switch (shape.getShapeType()) {
     case CONVEX_HULL_SHAPE_PROXYTYPE: {
       const auto& hull = static_cast<const btConvexHullShape&>(shape);
       count_ = hull.getNumPoints();
       if (count_ > 0) base_ = reinterpret_cast<const unsigned char*>(hull.getUnscaledPoints());
+      is_vector_array_ = count_ > 0;
       scaling_ = &hull.getLocalScalingNV();
       break;
     }
@@ -50,6 +51,7 @@ ShapePoints::ShapePoints(const btConvexShape& shape)
       const auto& cloud = static_cast<const btConvexPointCloudShape&>(shape);
       count_ = cloud.getNumPoints();
       base_ = reinterpret_cast<const unsigned char*>(cloud.getUnscaledPoints());
+      is_vector_array_ = count_ > 0;
       scaling_ = &cloud.getLocalScalingNV();
       break;
     }

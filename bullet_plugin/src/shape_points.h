@@ -22,14 +22,15 @@ class ShapePoints {
   Vector3 operator[](int i) const;
   const btVector3& Scaling() const { return *scaling_; }
 
-  /// The points as they lie in memory, ByteSize() bytes before scaling; null where the shape does not keep an array.
-  const unsigned char* Bytes() const { return base_; }
+  /// The points as they lie in memory, ByteSize() bytes before scaling; null where they are not an array of btVector3.
+  const unsigned char* Bytes() const { return is_vector_array_ ? base_ : nullptr; }
   std::size_t ByteSize() const { return static_cast<std::size_t>(count_) * static_cast<std::size_t>(stride_); }
 
  private:
   const btConvexShape& shape_;
   const unsigned char* base_ = nullptr;  // Of the points, for the types that keep them in an array.
   int stride_ = 0;                       // Bytes.
+  bool is_vector_array_ = false;         // Else the vertex buffer of somebody's mesh.
   bool is_double_ = false;
   int count_ = 0;
   const btVector3* scaling_;
