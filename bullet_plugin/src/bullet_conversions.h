@@ -1,19 +1,12 @@
-// Between Bullet's vectors, of either precision, and the solver's, always double.
-//
-// The solver works in double also for Bullet's float build: the conversion costs a nanosecond, and a pose in float is
-// exact in double, so what Bullet users know as float trouble (relative poses, tiny features) does not arise.
+// Between Bullet's vectors and poses, of either precision, and the solver's.
 #pragma once
 
 #include <LinearMath/btTransform.h>
 #include <LinearMath/btVector3.h>
 
-#include "dgd/types.h"
+#include "solver_types.h"
 
 namespace dgd_bullet {
-
-using Vector3 = dgd::Vector3<double>;
-using Matrix3 = dgd::Matrix3<double>;
-using Pose = dgd::Pose<double>;
 
 inline Vector3 FromBullet(const btVector3& v) { return {double(v.x()), double(v.y()), double(v.z())}; }
 

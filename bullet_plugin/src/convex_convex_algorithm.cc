@@ -8,6 +8,8 @@
 #include <exception>
 
 #include "manifold_writer.h"
+#include "pair_motion.h"
+#include "pair_patch.h"
 #include "pair_solver.h"
 
 namespace dgd_bullet {
@@ -28,16 +30,6 @@ bool IsCertified(const dgd::Result<double>& result) {
     default:
       return false;
   }
-}
-
-/// The witness point alone: what Bullet's own algorithm would report.
-dgd::ContactPatch<double> WitnessOnly(const dgd::Result<double>& result) {
-  const Vector3 middle = (result.witness_1 + result.witness_2) / 2;
-  dgd::ContactPatch<double> patch;
-  patch.size = 1;
-  patch.points[0] = {middle - result.separation / 2 * result.normal, middle + result.separation / 2 * result.normal,
-                     result.separation};
-  return patch;
 }
 
 const btConvexShape& ShapeOf(const btCollisionObjectWrapper* body) {
@@ -61,6 +53,11 @@ void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* bod
   output->setPersistentManifold(manifold_);
   if (const std::optional<dgd::Status> failure = FindContacts(body_0, body_1, info, *output)) {
     narrowphase_.CountFallback(*failure);
+    // Bullet has no answer to what is no shape or no pose either: it reads points that a hull has not, and keeps NaN.
+    if (*failure == dgd::Status::kInvalidInput) {
+      if (owns_manifold_) manifold_->clearManifold();
+      return;
+    }
     narrowphase_.FallBack(*m_dispatcher, body_0, body_1, info, *output);
     if (owns_manifold_) output->refreshContactPoints();
   }
@@ -91,7 +88,7 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
   const double contact_distance = breaking_threshold + double(output.m_closestPointDistanceThreshold);
 
   dgd::Settings<double> settings;
-  settings.relative_tolerance = std::max(options.relative_tolerance, ReachableTolerance(shape_a, shape_b));
+  settings.relative_tolerance = options.relative_tolerance;
   settings.max_iterations = options.max_iterations;
   settings.separation_limit = std::max(contact_distance, motion.MaxApproach());
   const dgd::Result<double> result = SolvePair(shape_a, shape_b, settings, warm_start_);

@@ -1,37 +1,43 @@
 #include "pair_solver.h"
 
-#include <limits>
+#include <algorithm>
 
 namespace dgd_bullet {
+namespace {
 
-double ReachableTolerance(const PosedShape& shape_a, const PosedShape& shape_b) {
-  using ThroughBullet = dgd::RoundedSet<BulletCore>;
-  const bool through_bullet =
-      std::holds_alternative<ThroughBullet>(shape_a.set) || std::holds_alternative<ThroughBullet>(shape_b.set);
-  return through_bullet ? 16 * double(std::numeric_limits<btScalar>::epsilon()) : 0.0;
+using ErasedSet = dgd::RoundedSet<SupportCore>;
+
+template <class Set>
+constexpr bool kIsErased = std::is_same_v<Set, ErasedSet>;
+
+template <class Set>
+ErasedSet Erase(const Set& set) {
+  if constexpr (kIsErased<Set>) {
+    return set;
+  } else {
+    return {SupportCore(set.core), set.radius};
+  }
 }
+
+dgd::Result<double> SolveErased(const ErasedSet& set_a, const Pose& pose_a, const ErasedSet& set_b, const Pose& pose_b,
+                                dgd::Settings<double> settings, dgd::WarmStart<double>& warm_start) {
+  settings.relative_tolerance = std::max({settings.relative_tolerance, set_a.core.Accuracy(), set_b.core.Accuracy()});
+  return dgd::GrowthDistance(set_a, pose_a, set_b, pose_b, settings, &warm_start);
+}
+
+}  // namespace
 
 dgd::Result<double> SolvePair(const PosedShape& shape_a, const PosedShape& shape_b,
                               const dgd::Settings<double>& settings, dgd::WarmStart<double>& warm_start) {
   return std::visit(
-      [&](const auto& set_a, const auto& set_b) {
-        return dgd::GrowthDistance(set_a, shape_a.pose, set_b, shape_b.pose, settings, &warm_start);
+      [&]<class SetA, class SetB>(const SetA& set_a, const SetB& set_b) {
+        if constexpr (kIsErased<SetA> || kIsErased<SetB>) {
+          return SolveErased(Erase(set_a), shape_a.pose, Erase(set_b), shape_b.pose, settings, warm_start);
+        } else {
+          return dgd::GrowthDistance(set_a, shape_a.pose, set_b, shape_b.pose, settings, &warm_start);
+        }
       },
       shape_a.set, shape_b.set);
-}
-
-dgd::ContactPatch<double> FindPatch(const PosedShape& shape_a, const PosedShape& shape_b,
-                                    const dgd::Result<double>& result, double contact_distance, double spacing,
-                                    const PairMotion& motion) {
-  const dgd::PatchFrame<double> frame(result);
-  const auto face = [&frame](const PosedShape& shape, const Vector3& direction) {
-    return std::visit([&](const auto& set) { return dgd::FindFace(set, shape.pose, direction, frame); }, shape.set);
-  };
-  const auto is_approaching = [&](const Vector3& point, double separation) {
-    return separation <= motion.Approach(point, result.normal);
-  };
-  return dgd::FindContactPatch(result, frame, face(shape_a, result.normal), face(shape_b, -result.normal),
-                               contact_distance, spacing, is_approaching);
 }
 
 }  // namespace dgd_bullet

@@ -8,6 +8,7 @@
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
 
+#include "bullet_support.h"
 #include "shape_points.h"
 
 namespace dgd_bullet {
@@ -63,7 +64,7 @@ PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, 
     default:
       break;
   }
-  if (!IsHullOfPoints(type)) return {dgd::RoundedSet{BulletCore(shape), margin}, FromBullet(transform, kZ)};
+  if (!IsHullOfPoints(type)) return {dgd::RoundedSet{ThroughBullet(shape), margin}, FromBullet(transform, kZ)};
   if (hull == nullptr || !hull->Matches(shape)) hull = cache.Find(shape);
   return {dgd::RoundedSet{dgd::CoreReference(hull->Core()), margin}, FromBullet(transform, kZ)};
 }

@@ -1,0 +1,30 @@
+// The sets that Bullet's convex shapes become. Free of Bullet: what is built on it alone serves both precisions.
+#pragma once
+
+#include <variant>
+
+#include "dgd/convex_set.h"
+#include "dgd/shapes/box.h"
+#include "dgd/shapes/cone.h"
+#include "dgd/shapes/cylinder.h"
+#include "dgd/shapes/point.h"
+#include "dgd/shapes/polytope.h"
+#include "dgd/shapes/segment.h"
+#include "dgd/shapes/triangle.h"
+#include "solver_types.h"
+#include "support_core.h"
+
+namespace dgd_bullet {
+
+using ShapeSet = std::variant<dgd::RoundedSet<dgd::Point<double>>, dgd::RoundedSet<dgd::Segment<double>>,
+                              dgd::RoundedSet<dgd::Triangle<double>>, dgd::RoundedSet<dgd::Box<double>>,
+                              dgd::RoundedSet<dgd::Cylinder<double>>, dgd::RoundedSet<dgd::Cone<double>>,
+                              dgd::RoundedSet<dgd::CoreReference<dgd::Polytope<double>>>, dgd::RoundedSet<SupportCore>>;
+
+/// A shape in a pose, for one query.
+struct PosedShape {
+  ShapeSet set;
+  Pose pose;  ///< Of the set's own frame (z is the axis of round shapes) in the world.
+};
+
+}  // namespace dgd_bullet
