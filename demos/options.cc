@@ -1,0 +1,111 @@
+#include "options.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <iostream>
+#include <map>
+#include <string>
+
+namespace dgd_demos {
+namespace {
+
+constexpr const char* kDescription =
+    R"(Drops the bodies of a scene in Bullet, with the growth distance as its narrowphase, with the built-in
+GJK/EPA, or with one after the other, and compares the two: penetration, energy, contacts, time.)";
+
+constexpr const char* kFooter = R"(
+Examples:
+  polytope_drop                                     fifty polytopes, both narrowphases, into out/
+  polytope_drop --narrowphase dgd --seed 7          the growth distance alone, other polytopes
+  polytope_drop --scene my.json --out my_results    a scene of your own (format: scenes/README.md)
+  polytope_drop --duration 2 --no-snapshots         a quick look at the figures
+
+Written into DIR:
+  builtin.csv, dgd.csv          one row a step; written as it goes, so that a crash leaves what was done
+      time_s                          at the end of the step
+      kinetic_energy_j, potential_energy_j   at that time; potential energy is 0 on the ground's top
+      contacts                        points in all contact manifolds
+      deepest_reported_penetration_m  by the contact points
+      narrowphase_us                  wall time of the step's collision detection after the broadphase
+      pairs                           pairs of overlapping bounding boxes
+      queries                         those of them that Bullet's dispatcher did not skip as asleep
+      fallbacks                       queries that the growth distance handed back to GJK/EPA
+      deepest_true_penetration_m      by an exact oracle that shares no code with either narrowphase
+  builtin_t00.50s.png, ...      pictures at the scene's times; blue bodies are still, red ones fast
+  end_state.png                 the end of the run; of both side by side, if both ran
+  summary.csv                   the table that is printed at the end; its wall time counts Bullet's steps
+                                alone, without oracle, files and pictures
+
+Exit status: 0 all went well; 1 a body left the world or a value was not finite; 2 wrong command line
+or scene file, or the output cannot be written.)";
+
+constexpr int kMaxOracleEvery = 1'000'000;
+constexpr const char* kDefaultScene = "scenes/polytopes_50.json";
+
+// Where the default scene may be: here, beside an installed program, in the source tree it was built from.
+std::filesystem::path FindDefaultScene() {
+  std::error_code ignored;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  for (const std::filesystem::path& folder :
+       {std::filesystem::path(), program.parent_path() / ".." / DGD_DEMOS_INSTALLED_DATA,
+        std::filesystem::path(DGD_DEMOS_SOURCE_DIR)}) {
+    if (std::filesystem::exists(folder / kDefaultScene, ignored)) return (folder / kDefaultScene).lexically_normal();
+  }
+  return kDefaultScene;  // Its absence is then reported like that of any other scene file.
+}
+
+// CLI11 itself wraps a negative number around and cuts off a large one.
+std::string CheckSeed(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  const bool is_seed = error == std::errc() && end == text.data() + text.size();
+  return is_seed ? "" : "must be an integer from 0 to 18446744073709551615, not " + text;
+}
+
+}  // namespace
+
+std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
+  const std::map<std::string, std::vector<Narrowphase>> choices = {
+      {"dgd", {Narrowphase::kDgd}},
+      {"builtin", {Narrowphase::kBuiltin}},
+      {"both", {Narrowphase::kBuiltin, Narrowphase::kDgd}}};
+  Options options;
+  options.scene = FindDefaultScene();
+  std::string narrowphase = "both";
+  bool no_snapshots = false;
+
+  CLI::App app(kDescription, "polytope_drop");
+  app.footer(kFooter);
+  app.get_formatter()->column_width(34);
+  app.add_option("--scene", options.scene, "Scene file (JSON)")->type_name("FILE")->capture_default_str();
+  app.add_option("--narrowphase", narrowphase, "dgd, builtin or both")
+      ->check(CLI::IsMember(choices).description(""))
+      ->type_name("WHICH")
+      ->capture_default_str();
+  app.add_option("--seed", options.seed, "Seed of the random bodies")
+      ->type_name("N")
+      ->check(CLI::Validator(CheckSeed, ""))
+      ->capture_default_str();
+  app.add_option("--out", options.out, "Folder for the results; made if missing")
+      ->type_name("DIR")
+      ->capture_default_str();
+  app.add_option("--duration", options.duration, "Simulated time in s, in place of the scene's")->type_name("S");
+  app.add_option("--oracle-every", options.oracle_every,
+                 "Steps from one computation of the true penetration to the next")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMaxOracleEvery).description(""))
+      ->capture_default_str();
+  app.add_flag("--no-snapshots", no_snapshots, "Draw no pictures");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& end) {
+    // CLI11's own statuses tell kinds of mistakes apart; ours says only that there was one.
+    return app.exit(end, std::cout, std::cerr) == 0 ? kSuccess : kBadInput;
+  }
+  options.narrowphases = choices.at(narrowphase);
+  options.draw_snapshots = !no_snapshots;
+  return options;
+}
+
+}  // namespace dgd_demos

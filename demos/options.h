@@ -1,0 +1,34 @@
+// The command line of polytope_drop.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "simulation/narrowphase.h"
+
+namespace dgd_demos {
+
+/// Exit statuses, as --help lists them.
+enum ExitStatus {
+  kSuccess = 0,
+  kLostBody = 1,  ///< A body left the world, or a value was not finite.
+  kBadInput = 2,  ///< Command line or scene file; or the output cannot be written.
+};
+
+struct Options {
+  std::filesystem::path scene;
+  std::vector<Narrowphase> narrowphases;  ///< In the order in which they run.
+  std::uint64_t seed = 1;
+  std::filesystem::path out = "out";
+  bool draw_snapshots = true;
+  std::optional<double> duration;  ///< s
+  int oracle_every = 1;            ///< Steps.
+};
+
+/// The options, or the exit status if the program is to end now: after --help, or with a complaint on standard error.
+std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* argv);
+
+}  // namespace dgd_demos

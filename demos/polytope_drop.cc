@@ -1,0 +1,88 @@
+// polytope_drop: a scene in Bullet, on one narrowphase or the other or both, measured and drawn. See --help.
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "options.h"
+#include "report/comparison_table.h"
+#include "report/pictures.h"
+#include "report/progress_bar.h"
+#include "report/step_csv.h"
+#include "scene/bodies.h"
+#include "scene/scene_file.h"
+#include "simulation/drop_run.h"
+
+namespace dgd_demos {
+namespace {
+
+Scene LoadSceneFor(const Options& options) {
+  Scene scene = LoadScene(options.scene);
+  if (!options.duration) return scene;
+  const bool in_range = *options.duration >= scene.time_step && *options.duration <= kMaxDuration;  // False for NaN.
+  if (!in_range) {
+    std::ostringstream complaint;
+    complaint << "--duration: must be from one time step (" << scene.time_step << ") up to " << kMaxDuration
+              << " s, not " << *options.duration;
+    throw SceneError(complaint.str());
+  }
+  scene.duration = *options.duration;
+  std::erase_if(scene.snapshots, [&](double time) { return time > scene.duration; });
+  return scene;
+}
+
+DropRun RunAndRecord(const Scene& scene, const std::vector<Body>& bodies, Narrowphase narrowphase,
+                     const Options& options) {
+  const std::string name(NameOf(narrowphase));
+  StepCsv csv(options.out / (name + ".csv"), {scene.file, options.seed, name, BulletPrecision(), DGD_DEMOS_BUILD_TYPE});
+  ProgressBar progress(name + std::string(8 - std::min<std::size_t>(name.size(), 8), ' '), scene.duration);
+  return RunDrop(scene, bodies, narrowphase, options.oracle_every, [&](const StepRecord& step) {
+    csv.Write(step);
+    progress.Update(step.time);
+  });
+}
+
+ExitStatus Run(const Options& options) {
+  const Scene scene = LoadSceneFor(options);
+  const std::vector<Body> bodies = MakeBodies(scene, options.seed);
+  std::filesystem::create_directories(options.out);
+
+  std::vector<NamedRun> runs;
+  std::vector<TableColumn> columns;
+  for (const Narrowphase narrowphase : options.narrowphases) {
+    runs.push_back({narrowphase, RunAndRecord(scene, bodies, narrowphase, options)});
+    columns.push_back({std::string(NameOf(narrowphase)), runs.back().run.summary});
+  }
+  if (options.draw_snapshots) WritePictures(scene, bodies, options.seed, runs, options.out);
+
+  WriteTableCsv(options.out / "summary.csv", columns);
+  std::printf("%s, seed %llu, Bullet in %s precision\n\n%s\nResults are in %s\n", scene.file.c_str(),
+              static_cast<unsigned long long>(options.seed), BulletPrecision(), FormatTable(columns).c_str(),
+              options.out.c_str());
+
+  ExitStatus status = kSuccess;
+  for (const NamedRun& run : runs) {
+    if (!run.run.failure) continue;
+    std::fprintf(stderr, "%s: %s\n", std::string(NameOf(run.narrowphase)).c_str(), run.run.failure->c_str());
+    status = kLostBody;
+  }
+  return status;
+}
+
+}  // namespace
+}  // namespace dgd_demos
+
+int main(int argc, char** argv) {
+  const auto parsed = dgd_demos::ParseCommandLine(argc, argv);
+  if (const auto* status = std::get_if<dgd_demos::ExitStatus>(&parsed)) return *status;
+  try {
+    return dgd_demos::Run(std::get<dgd_demos::Options>(parsed));
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return dgd_demos::kBadInput;
+  }
+}

@@ -1,0 +1,276 @@
+#include "render/scene_renderer.h"
+
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "render/colour_space.h"
+#include "render/light_samples.h"
+#include "render/off_screen.h"
+#include "render/overlay.h"
+#include "render/shaders.h"
+#include "render/surface_mesh.h"
+
+namespace dgd_demos {
+namespace {
+
+using Eigen::Matrix4d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr int kPasses = 48;
+constexpr int kShadowMapSize = 1024;             // Pixels.
+const Vector3d kBackground(0.93, 0.94, 0.955);   // sRGB
+const Vector3d kGroundColour(0.80, 0.80, 0.79);  // sRGB
+constexpr double kGloss = 0.25;
+constexpr double kAmbient = 0.12;  // Light that has been reflected more than once.
+// The ground fades into the background at these distances from the middle, in distances of the camera.
+constexpr double kFadeStart = 0.35, kFadeEnd = 0.9;
+
+Matrix4d ModelMatrix(const Pose& pose) {
+  Matrix4d model = Matrix4d::Identity();
+  model.topLeftCorner<3, 3>() = pose.rotation;
+  model.topRightCorner<3, 1>() = pose.position;
+  return model;
+}
+
+// Bodies side by side at the same speed can be told apart if they differ a little in brightness.
+Vector3d BodyAlbedo(const SpeedScale& scale, double speed, std::size_t index) {
+  constexpr int kShades = 5;
+  constexpr double kDarkest = 0.86;
+  const double shade = kDarkest + (1 - kDarkest) * static_cast<double>(index * 3 % kShades) / (kShades - 1);
+  return shade * LinearFromSrgb(SpeedScale::ColourAt(scale.PlaceOf(speed)));
+}
+
+// Encloses all balls; for the light's field of view.
+Ball BallAroundAll(const std::vector<Ball>& balls) {
+  Vector3d middle = Vector3d::Zero();
+  for (const Ball& ball : balls) middle += ball.centre / static_cast<double>(balls.size());
+  double radius = 0;
+  for (const Ball& ball : balls) radius = std::max(radius, (ball.centre - middle).norm() + ball.radius);
+  return {middle, radius};
+}
+
+// An orthogonal view along the light that holds the scene.
+Matrix4d WorldToLight(const Vector3d& direction, const Ball& scene) {
+  const Eigen::Matrix3d world_to_axes =
+      Eigen::Quaterniond::FromTwoVectors(direction, Vector3d::UnitZ()).toRotationMatrix();
+  Matrix4d matrix = Matrix4d::Identity();
+  Eigen::Matrix3d scaled = world_to_axes / scene.radius;
+  scaled.row(2) *= -1;  // OpenGL's depth grows away from the light.
+  matrix.topLeftCorner<3, 3>() = scaled;
+  matrix.topRightCorner<3, 1>() = -scaled * scene.centre;
+  return matrix;
+}
+
+// Sums passes in linear light, and hands out their mean as a picture.
+class Accumulator {
+ public:
+  Accumulator(int width, int height)
+      : width_(width), height_(height), sum_(3 * static_cast<std::size_t>(width) * height) {
+    for (int byte = 0; byte < 256; ++byte)
+      light_of_byte_[byte] = static_cast<float>(kHeadroom * byte * byte / (255.0 * 255.0));
+  }
+
+  void Add(const std::vector<std::uint8_t>& rgba) {
+    for (std::size_t pixel = 0; 3 * pixel < sum_.size(); ++pixel) {
+      for (std::size_t c = 0; c < 3; ++c) sum_[3 * pixel + c] += light_of_byte_[rgba[4 * pixel + c]];
+    }
+    ++passes_;
+  }
+
+  Image Mean() const {
+    Image image(width_, height_);
+    for (int row = 0; row < height_; ++row) {
+      const int source_row = height_ - 1 - row;  // OpenGL's rows go upwards.
+      const float* source = &sum_[3 * static_cast<std::size_t>(source_row) * width_];
+      std::transform(source, source + 3 * width_, image.Pixel(0, row), [&](float sum) {
+        return static_cast<std::uint8_t>(
+            std::lround(255 * SrgbFromLinear(std::min(1.0, sum / static_cast<double>(passes_)))));
+      });
+    }
+    return image;
+  }
+
+ private:
+  int width_, height_;
+  std::vector<float> sum_;
+  std::array<float, 256> light_of_byte_;
+  int passes_ = 0;
+};
+
+}  // namespace
+
+class SceneRenderer::Impl {
+ public:
+  Impl(const std::vector<Body>& bodies, const SpeedScale& speed_scale, int width, int height)
+      : screen_(width, height),
+        body_program_(MakeBodyProgram()),
+        ground_program_(MakeGroundProgram()),
+        shadow_program_(MakeShadowProgram()),
+        bodies_(bodies),
+        speed_scale_(speed_scale) {
+    MakeShadowMap();
+    MakeDisplayLists();
+  }
+
+  double aspect() const { return static_cast<double>(screen_.width()) / screen_.height(); }
+
+  Image Render(const PictureRequest& request) {
+    screen_.MakeCurrent();
+    const Ball scene = BallAroundAll(BallsAround(bodies_, request.state));
+    Accumulator accumulator(screen_.width(), screen_.height());
+    for (int pass = 0; pass < kPasses; ++pass) {
+      const LightSample light = LightOfPass(pass, kPasses);
+      const Vector2d jitter = JitterOfPass(pass);
+      const Matrix4d world_to_light = WorldToLight(light.direction, scene);
+      DrawShadowMap(request.state, world_to_light);
+      DrawScene(request, light, world_to_light, scene, jitter);
+      DrawOverlay({request.title, request.subtitle}, speed_scale_, screen_.width(), screen_.height(), jitter);
+      glFinish();
+      accumulator.Add(screen_.rgba());
+    }
+    return accumulator.Mean();
+  }
+
+ private:
+  // A texture that holds depths and compares with them, and a frame buffer to draw them.
+  void MakeShadowMap() {
+    unsigned texture = 0;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kShadowMapSize, kShadowMapSize, 0, GL_DEPTH_COMPONENT,
+                 GL_FLOAT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+    constexpr std::array<float, 4> kFarthest = {1, 1, 1, 1};
+    glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, kFarthest.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_R_TO_TEXTURE);
+    glGenFramebuffers(1, &shadow_buffer_);
+    glBindFramebuffer(GL_FRAMEBUFFER, shadow_buffer_);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, texture, 0);
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_NONE);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+      throw std::runtime_error("OpenGL cannot draw into a depth texture");
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  }
+
+  // One list a body, in its local frame; the ground is a plain square.
+  void MakeDisplayLists() {
+    first_list_ = glGenLists(static_cast<int>(bodies_.size()));
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      glNewList(first_list_ + static_cast<unsigned>(i), GL_COMPILE);
+      glBegin(GL_TRIANGLES);
+      for (const SurfaceVertex& vertex : SurfaceOf(bodies_[i].shape, bodies_[i].margin)) {
+        glNormal3fv(vertex.normal.data());
+        glVertex3fv(vertex.position.data());
+      }
+      glEnd();
+      glEndList();
+    }
+  }
+
+  void DrawBody(std::size_t index) const { glCallList(first_list_ + static_cast<unsigned>(index)); }
+
+  // The ground gets shadows but casts none.
+  void DrawShadowMap(const Snapshot& state, const Matrix4d& world_to_light) {
+    glBindFramebuffer(GL_FRAMEBUFFER, shadow_buffer_);
+    glViewport(0, 0, kShadowMapSize, kShadowMapSize);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    shadow_program_.Use();
+    shadow_program_.Set("world_to_light", world_to_light);
+    for (std::size_t i = kGroundIndex + 1; i < bodies_.size(); ++i) {
+      shadow_program_.Set("model", ModelMatrix(state.poses[i]));
+      DrawBody(i);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  }
+
+  void DrawScene(const PictureRequest& request, const LightSample& light, const Matrix4d& world_to_light,
+                 const Ball& scene, const Vector2d& jitter) {
+    const Vector3d background = LinearFromSrgb(kBackground);
+    const Vector3d encoded = EncodeLinear(background);
+    glViewport(0, 0, screen_.width(), screen_.height());
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+    glClearColor(static_cast<float>(encoded.x()), static_cast<float>(encoded.y()), static_cast<float>(encoded.z()), 1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+
+    Matrix4d shift = Matrix4d::Identity();  // By a part of a pixel, in clip space.
+    shift(0, 3) = -2 * jitter.x() / screen_.width();
+    shift(1, 3) = -2 * jitter.y() / screen_.height();
+
+    // The ground last: most of it is then found to be hidden before it is shaded.
+    UseForPass(body_program_, request, light, world_to_light, scene, shift);
+    body_program_.Set("eye", request.camera.Position());
+    body_program_.Set("gloss", kGloss);
+    for (std::size_t i = kGroundIndex + 1; i < bodies_.size(); ++i) {
+      body_program_.Set("model", ModelMatrix(request.state.poses[i]));
+      body_program_.Set("albedo", BodyAlbedo(speed_scale_, request.state.speeds[i], i));
+      DrawBody(i);
+    }
+    UseForPass(ground_program_, request, light, world_to_light, scene, shift);
+    ground_program_.Set("background", background);
+    ground_program_.Set("target", request.camera.target);
+    ground_program_.Set("fade_start", kFadeStart * request.camera.distance);
+    ground_program_.Set("fade_end", kFadeEnd * request.camera.distance);
+    ground_program_.Set("model", ModelMatrix(request.state.poses[kGroundIndex]));
+    ground_program_.Set("albedo", LinearFromSrgb(kGroundColour));
+    DrawBody(kGroundIndex);
+  }
+
+  // What bodies and ground have in common.
+  void UseForPass(const ShaderProgram& program, const PictureRequest& request, const LightSample& light,
+                  const Matrix4d& world_to_light, const Ball& scene, const Matrix4d& shift) const {
+    program.Use();
+    program.Set("view_projection", Matrix4d(shift * request.camera.ViewProjection(aspect())));
+    program.Set("world_to_light", world_to_light);
+    program.Set("shadow_map", 0);
+    program.Set("shadow_offset", 3 * scene.radius / kShadowMapSize);
+    program.Set("light_direction", light.direction);
+    program.Set("light_strength", light.strength);
+    program.Set("ambient", kAmbient);
+    program.Set("headroom", kHeadroom);
+  }
+
+  OffScreen screen_;
+  ShaderProgram body_program_, ground_program_, shadow_program_;
+  std::vector<Body> bodies_;
+  SpeedScale speed_scale_;
+  unsigned shadow_buffer_ = 0;
+  unsigned first_list_ = 0;
+};
+
+SceneRenderer::SceneRenderer(const std::vector<Body>& bodies, const SpeedScale& speed_scale, int width, int height)
+    : impl_(std::make_unique<Impl>(bodies, speed_scale, width, height)) {}
+
+SceneRenderer::~SceneRenderer() = default;
+
+Image SceneRenderer::Render(const PictureRequest& request) { return impl_->Render(request); }
+
+double SceneRenderer::aspect() const { return impl_->aspect(); }
+
+std::vector<Ball> BallsAround(const std::vector<Body>& bodies, const Snapshot& state) {
+  std::vector<Ball> balls;
+  for (std::size_t i = kGroundIndex + 1; i < bodies.size(); ++i) {
+    balls.push_back({state.poses[i].position, BoundingRadius(bodies[i].shape, bodies[i].margin)});
+  }
+  return balls;
+}
+
+}  // namespace dgd_demos

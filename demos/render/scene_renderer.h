@@ -1,0 +1,44 @@
+// Pictures of a scene.
+//
+// A picture is the mean of many passes. Each pass has one light, from a direction of its own with hard shadows, and its
+// own offset within the pixel. The mean has soft shadows, of the sun's disc and of the sky (which darkens the gaps
+// between bodies), and smooth edges; and each pass is as simple as a picture can be.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "render/camera.h"
+#include "render/image.h"
+#include "render/speed_colour.h"
+#include "scene/bodies.h"
+#include "simulation/snapshot.h"
+
+namespace dgd_demos {
+
+struct PictureRequest {
+  const Snapshot& state;
+  Camera camera;
+  std::string title;     ///< Top left, large.
+  std::string subtitle;  ///< Below the title.
+};
+
+class SceneRenderer {
+ public:
+  /// @param bodies  the ground first.
+  SceneRenderer(const std::vector<Body>& bodies, const SpeedScale& speed_scale, int width, int height);
+  ~SceneRenderer();
+
+  Image Render(const PictureRequest& request);
+  double aspect() const;
+
+ private:
+  class Impl;  // Keeps OpenGL out of this header.
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Balls around all bodies but the ground, for FrameAll().
+std::vector<Ball> BallsAround(const std::vector<Body>& bodies, const Snapshot& state);
+
+}  // namespace dgd_demos

@@ -1,0 +1,24 @@
+// The table at the end: a row a figure with its unit, a column a narrowphase, and their ratio where both ran.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "simulation/run_summary.h"
+
+namespace dgd_demos {
+
+struct TableColumn {
+  std::string narrowphase;
+  RunSummary summary;
+};
+
+/// The rows aligned for reading. With exactly two columns, a third has the quotient second / first.
+std::string FormatTable(const std::vector<TableColumn>& columns);
+
+/// The same figures for programs: one line a row, 17 significant digits, and the key of each row in place of its title.
+/// @throws std::runtime_error if the file cannot be written.
+void WriteTableCsv(const std::filesystem::path& file, const std::vector<TableColumn>& columns);
+
+}  // namespace dgd_demos

@@ -1,0 +1,39 @@
+// The CSV of a run: one row a step, on disk as soon as the step is done.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "simulation/step_record.h"
+
+namespace dgd_demos {
+
+/// What a run was, for the head of its CSV.
+struct RunInfo {
+  std::string scene;
+  std::uint64_t seed;
+  std::string narrowphase;
+  std::string precision;
+  std::string build_type;
+};
+
+/// Numbers have 17 significant digits, so that two runs are equal to the bit exactly if their files are, but for the
+/// measured narrowphase_us.
+class StepCsv {
+ public:
+  /// Creates or overwrites the file and writes its head.
+  /// @throws std::runtime_error if the file cannot be written.
+  StepCsv(const std::filesystem::path& file, const RunInfo& info);
+
+  /// Appends a row and hands it to the operating system: what is written survives a crash of this program.
+  /// @throws std::runtime_error if that fails, as on a full disk.
+  void Write(const StepRecord& step);
+
+ private:
+  std::filesystem::path file_;
+  std::ofstream stream_;
+};
+
+}  // namespace dgd_demos

@@ -1,0 +1,60 @@
+// A scene as a value: what a scene file says, checked. SI units, radians, right-handed world frame with z up.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "scene/pose.h"
+#include "scene/shape.h"
+
+namespace dgd_demos {
+
+/// A static box whose top is the plane z = 0, centred below the origin.
+struct Ground {
+  Eigen::Vector3d half_extents;  ///< m
+  double friction;
+};
+
+struct BodyProperties {
+  double mass;                             ///< kg
+  std::optional<Eigen::Vector3d> inertia;  ///< About the local axes, kg m^2; without it, Bullet's estimate.
+  double friction;
+  double restitution;
+};
+
+/// Random hulls, different for each seed, at random orientations and without touching each other at the start.
+struct RandomPolytopes {
+  BodyProperties properties;
+  int count;
+  int min_vertices, max_vertices;          ///< Each body has a number drawn from this range, ends included.
+  double diameter;                         ///< Greatest distance between two vertices, m; the margin comes on top.
+  Eigen::Vector3d region_min, region_max;  ///< Box in which the centres start, m.
+};
+
+struct SingleBody {
+  BodyProperties properties;
+  std::string kind;  ///< The file's "type", for messages.
+  Shape shape;
+  Pose pose;
+};
+
+using BodyGroup = std::variant<RandomPolytopes, SingleBody>;
+
+inline constexpr double kMaxDuration = 3600;  ///< s; a slip if it is longer.
+
+struct Scene {
+  std::string file;         ///< As given by the user.
+  std::string about;        ///< What the scene is, with its units and frame.
+  Eigen::Vector3d gravity;  ///< m/s^2
+  double time_step;         ///< s
+  double duration;          ///< s
+  double margin;            ///< Collision margin of every body and of the ground, m.
+  Ground ground;
+  std::vector<BodyGroup> bodies;
+  std::vector<double> snapshots;  ///< Times of the pictures, s, ascending.
+};
+
+}  // namespace dgd_demos

@@ -1,0 +1,184 @@
+#include "scene/scene_file.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <exception>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "scene/json_reader.h"
+#include "scene/mesh_file.h"
+#include "scene/random_polytope.h"
+
+namespace dgd_demos {
+namespace {
+
+using Eigen::Vector3d;
+
+// What a scene may ask for. Wide enough for anything sensible, narrow enough to catch slips: degrees for radians,
+// milliseconds for seconds, a lost decimal point.
+constexpr Range kSize = {0, 1e3, /*low_is_allowed=*/false};  // m
+constexpr Range kCoordinate = {-1e4, 1e4};                   // m
+constexpr Range kAngle = {-2 * std::numbers::pi, 2 * std::numbers::pi};
+constexpr Range kMass = {0, 1e6, /*low_is_allowed=*/false};     // kg
+constexpr Range kInertia = {0, 1e9, /*low_is_allowed=*/false};  // kg m^2
+constexpr Range kFriction = {0, 10};
+constexpr Range kRestitution = {0, 1};
+constexpr Range kAcceleration = {-1e3, 1e3};                     // m/s^2
+constexpr Range kTimeStep = {0, 0.1, /*low_is_allowed=*/false};  // s
+constexpr Range kMargin = {0, 1};                                // m
+constexpr Range kScale = {0, 1e6, /*low_is_allowed=*/false};
+constexpr int kMaxCount = 10'000;
+
+// Bullet's own, where the file says nothing.
+constexpr double kDefaultFriction = 0.5;
+constexpr double kDefaultRestitution = 0;
+
+double NumberOr(const JsonReader& object, const std::string& key, const Range& range, double otherwise) {
+  return object.Has(key) ? object.At(key).Number(range) : otherwise;
+}
+
+Ground ReadGround(const JsonReader& ground) {
+  ground.AllowOnly({"half_extents", "friction"});
+  return {ground.At("half_extents").Vector(kSize), NumberOr(ground, "friction", kFriction, kDefaultFriction)};
+}
+
+// One number for all three axes, or three numbers.
+std::optional<Vector3d> ReadInertia(const JsonReader& body) {
+  if (!body.Has("inertia")) return std::nullopt;
+  const JsonReader inertia = body.At("inertia");
+  if (inertia.IsArray()) return inertia.Vector(kInertia);
+  return Vector3d::Constant(inertia.Number(kInertia));
+}
+
+BodyProperties ReadProperties(const JsonReader& body) {
+  return {body.At("mass").Number(kMass), ReadInertia(body), NumberOr(body, "friction", kFriction, kDefaultFriction),
+          NumberOr(body, "restitution", kRestitution, kDefaultRestitution)};
+}
+
+// "rotation": roll, pitch and yaw; about the fixed x, then y, then z axis.
+Pose ReadPose(const JsonReader& body) {
+  Pose pose;
+  pose.position = body.At("position").Vector(kCoordinate);
+  if (body.Has("rotation")) {
+    const Vector3d angles = body.At("rotation").Vector(kAngle);
+    pose.rotation =
+        (Eigen::AngleAxisd(angles.z(), Vector3d::UnitZ()) * Eigen::AngleAxisd(angles.y(), Vector3d::UnitY()) *
+         Eigen::AngleAxisd(angles.x(), Vector3d::UnitX()))
+            .toRotationMatrix();
+  }
+  return pose;
+}
+
+Shape ReadMesh(const JsonReader& body, const std::filesystem::path& folder) {
+  const JsonReader file = body.At("file");
+  const std::filesystem::path path = folder / file.Text();
+  const double scale = NumberOr(body, "scale", kScale, 1);
+  try {
+    return Hull{LoadConvexMesh(path, scale)};
+  } catch (const std::exception& error) {
+    file.Fail("\"" + path.string() + "\" gives no convex mesh: " + error.what());
+  }
+}
+
+RandomPolytopes ReadRandomPolytopes(const JsonReader& group) {
+  group.AllowOnly({"type", "mass", "inertia", "friction", "restitution", "count", "vertices", "diameter", "region"});
+  RandomPolytopes polytopes;
+  polytopes.properties = ReadProperties(group);
+  polytopes.count = group.At("count").Integer(1, kMaxCount);
+
+  const JsonReader vertices = group.At("vertices");
+  vertices.AllowOnly({"min", "max"});
+  polytopes.min_vertices = vertices.At("min").Integer(kMinPolytopeVertices, kMaxPolytopeVertices);
+  polytopes.max_vertices = vertices.At("max").Integer(polytopes.min_vertices, kMaxPolytopeVertices);
+
+  polytopes.diameter = group.At("diameter").Number(kSize);
+  const JsonReader region = group.At("region");
+  region.AllowOnly({"min", "max"});
+  polytopes.region_min = region.At("min").Vector(kCoordinate);
+  polytopes.region_max = region.At("max").Vector(kCoordinate);
+  if ((polytopes.region_max - polytopes.region_min).minCoeff() < 0) {
+    region.Fail("max must not be below min, as in " + region.Dump());
+  }
+  return polytopes;
+}
+
+// The shapes that a file can name, each with its own keys.
+SingleBody ReadSingleBody(const JsonReader& body, const std::string& type, const std::filesystem::path& folder) {
+  const auto allow = [&](auto... own_keys) {
+    body.AllowOnly({"type", "mass", "inertia", "friction", "restitution", "position", "rotation", own_keys...});
+  };
+  const auto size = [&](const char* key) { return body.At(key).Number(kSize); };
+  const auto shape = [&]() -> Shape {
+    if (type == "sphere") {
+      allow("radius");
+      return Sphere{size("radius")};
+    }
+    if (type == "capsule") {
+      allow("radius", "length");
+      return Capsule{size("radius"), size("length")};
+    }
+    if (type == "box") {
+      allow("half_extents");
+      return Box{body.At("half_extents").Vector(kSize)};
+    }
+    if (type == "cylinder") {
+      allow("radius", "height");
+      return Cylinder{size("radius"), size("height")};
+    }
+    if (type == "cone") {
+      allow("radius", "height");
+      return Cone{size("radius"), size("height")};
+    }
+    if (type == "mesh") {
+      allow("file", "scale");
+      return ReadMesh(body, folder);
+    }
+    body.At("type").Fail("must be random_polytopes, sphere, capsule, box, cylinder, cone or mesh, not \"" + type +
+                         "\"");
+  };
+  return {ReadProperties(body), type, shape(), ReadPose(body)};
+}
+
+BodyGroup ReadBodyGroup(const JsonReader& group, const std::filesystem::path& folder) {
+  const std::string type = group.At("type").Text();
+  if (type == "random_polytopes") return ReadRandomPolytopes(group);
+  return ReadSingleBody(group, type, folder);
+}
+
+std::vector<double> ReadSnapshots(const JsonReader& times, double duration) {
+  std::vector<double> snapshots;
+  for (std::size_t i = 0; i < times.Size(); ++i) {
+    const double earliest = snapshots.empty() ? 0 : snapshots.back();
+    snapshots.push_back(times.At(i).Number({earliest, duration}));
+  }
+  return snapshots;
+}
+
+}  // namespace
+
+Scene LoadScene(const std::filesystem::path& file) {
+  const nlohmann::json document = ParseJsonFile(file);
+  Scene scene;
+  scene.file = file.string();
+  const JsonReader root(scene.file, document);
+  root.AllowOnly({"about", "gravity", "time_step", "duration", "margin", "ground", "bodies", "snapshots"});
+
+  scene.about = root.At("about").Text();
+  scene.gravity = root.At("gravity").Vector(kAcceleration);
+  scene.time_step = root.At("time_step").Number(kTimeStep);
+  scene.duration = root.At("duration").Number({scene.time_step, kMaxDuration});
+  scene.margin = root.At("margin").Number(kMargin);
+  scene.ground = ReadGround(root.At("ground"));
+
+  const JsonReader bodies = root.At("bodies");
+  for (std::size_t i = 0; i < bodies.Size(); ++i) {
+    scene.bodies.push_back(ReadBodyGroup(bodies.At(i), file.parent_path()));
+  }
+  if (scene.bodies.empty()) bodies.Fail("must hold at least one body, not " + bodies.Dump());
+  if (root.Has("snapshots")) scene.snapshots = ReadSnapshots(root.At("snapshots"), scene.duration);
+  return scene;
+}
+
+}  // namespace dgd_demos

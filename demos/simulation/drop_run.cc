@@ -1,0 +1,129 @@
+#include "simulation/drop_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <sstream>
+#include <type_traits>
+#include <utility>
+
+#include "simulation/penetration_oracle.h"
+#include "simulation/world.h"
+
+namespace dgd_demos {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// The sums and extremes of a run as it goes.
+class Tally {
+ public:
+  void Add(const StepRecord& step);
+  RunSummary Summary(double initial_potential, double wall_time) const;
+
+ private:
+  RunSummary sums_;
+  Energy energy_{};
+  double sum_of_true_ = 0;
+  int oracle_steps_ = 0;
+};
+
+void Tally::Add(const StepRecord& step) {
+  ++sums_.steps;
+  sums_.deepest_reported = std::max(sums_.deepest_reported, step.collision.deepest_penetration);
+  sums_.pairs += static_cast<std::uint64_t>(step.collision.pairs);
+  sums_.queries += static_cast<std::uint64_t>(step.collision.queries);
+  sums_.narrowphase_us += step.collision.narrowphase_us;
+  sums_.contacts += static_cast<std::uint64_t>(step.collision.contacts);
+  sums_.fallbacks += step.collision.fallbacks;
+  energy_ = step.energy;
+  if (step.true_penetration) {
+    ++oracle_steps_;
+    sum_of_true_ += *step.true_penetration;
+    sums_.deepest_true = std::max(sums_.deepest_true, *step.true_penetration);
+  }
+}
+
+RunSummary Tally::Summary(double initial_potential, double wall_time) const {
+  RunSummary summary = sums_;
+  summary.mean_true = sum_of_true_ / std::max(1, oracle_steps_);
+  summary.kinetic_energy_end = energy_.kinetic;
+  summary.dissipated_share = 1 - (energy_.kinetic + energy_.potential) / initial_potential;
+  summary.wall_time = wall_time;
+  return summary;
+}
+
+// Takes a step, and has the oracle judge what the step's collision detection was given.
+class Stepper {
+ public:
+  Stepper(const Scene& scene, const std::vector<Body>& bodies, Narrowphase narrowphase, int oracle_every)
+      : world_(scene, bodies, narrowphase), oracle_(bodies), time_step_(scene.time_step), oracle_every_(oracle_every) {}
+
+  World& world() { return world_; }
+  double wall_time() const { return wall_time_.count(); }
+
+  /// @param number  counts from 1.
+  StepRecord Step(int number) {
+    const bool ask_oracle = number % oracle_every_ == 0;
+    std::vector<Pose> poses_before = ask_oracle ? world_.Poses() : std::vector<Pose>{};
+
+    const Clock::time_point start = Clock::now();
+    const CollisionReport collision = world_.Step();
+    wall_time_ += Clock::now() - start;
+
+    StepRecord step{number * time_step_, world_.TotalEnergy(), collision, std::nullopt};
+    if (ask_oracle) {
+      step.true_penetration = oracle_.DeepestPenetration({std::move(poses_before), world_.OverlappingPairs()});
+    }
+    return step;
+  }
+
+ private:
+  World world_;
+  PenetrationOracle oracle_;
+  double time_step_;
+  int oracle_every_;
+  std::chrono::duration<double> wall_time_{};
+};
+
+}  // namespace
+
+int StepCount(const Scene& scene) { return static_cast<int>(std::lround(scene.duration / scene.time_step)); }
+
+const char* BulletPrecision() { return std::is_same_v<btScalar, double> ? "double" : "float"; }
+
+DropRun RunDrop(const Scene& scene, const std::vector<Body>& bodies, Narrowphase narrowphase, int oracle_every,
+                const std::function<void(const StepRecord&)>& on_step) {
+  Stepper stepper(scene, bodies, narrowphase, oracle_every);
+  World& world = stepper.world();
+  const double initial_potential = world.TotalEnergy().potential;
+  DropRun run;
+
+  auto next_picture = scene.snapshots.begin();
+  const auto take_due_pictures = [&](double time) {
+    for (; next_picture != scene.snapshots.end() && *next_picture <= time; ++next_picture) {
+      run.snapshots.push_back({*next_picture, world.Poses(), world.Speeds()});
+    }
+  };
+  take_due_pictures(0);
+
+  Tally tally;
+  const int step_count = StepCount(scene);
+  for (int number = 1; number <= step_count && !run.failure; ++number) {
+    const StepRecord step = stepper.Step(number);
+    tally.Add(step);
+    on_step(step);
+    // Half a step early rather than a whole one late, should the product of number and step round down.
+    take_due_pictures(step.time + scene.time_step / 2);
+    if (const auto lost = world.FindLostBody()) {
+      std::ostringstream sentence;
+      sentence << *lost << " at " << step.time << " s";
+      run.failure = sentence.str();
+    }
+  }
+  run.summary = tally.Summary(initial_potential, stepper.wall_time());
+  run.end_state = {run.summary.steps * scene.time_step, world.Poses(), world.Speeds()};
+  return run;
+}
+
+}  // namespace dgd_demos

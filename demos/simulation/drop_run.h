@@ -1,0 +1,38 @@
+// One run of a scene with one narrowphase, from the first step to the table's figures. Every program and test that
+// simulates a scene does it by this function.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/bodies.h"
+#include "scene/scene.h"
+#include "simulation/narrowphase.h"
+#include "simulation/run_summary.h"
+#include "simulation/snapshot.h"
+#include "simulation/step_record.h"
+
+namespace dgd_demos {
+
+struct DropRun {
+  RunSummary summary;
+  std::vector<Snapshot> snapshots;     ///< At the scene's times, as far as the run got.
+  Snapshot end_state;                  ///< After the last step.
+  std::optional<std::string> failure;  ///< Which body was lost, and when; the run ended there.
+};
+
+/// @param bodies        from MakeBodies().
+/// @param oracle_every  ask the oracle at every so-many-th step, >= 1.
+/// @param on_step       called after each step.
+DropRun RunDrop(const Scene& scene, const std::vector<Body>& bodies, Narrowphase narrowphase, int oracle_every,
+                const std::function<void(const StepRecord&)>& on_step);
+
+/// Number of steps that a scene takes.
+int StepCount(const Scene& scene);
+
+/// "float" or "double": what Bullet computes in here.
+const char* BulletPrecision();
+
+}  // namespace dgd_demos

@@ -1,0 +1,26 @@
+// The one place where the demos choose between Bullet's narrowphase and ours.
+#pragma once
+
+#include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
+
+#include <cstdint>
+#include <memory>
+#include <string_view>
+
+namespace dgd_demos {
+
+enum class Narrowphase {
+  kBuiltin,  ///< Bullet's GJK/EPA and its special pairs.
+  kDgd,      ///< The growth distance, by the plugin.
+};
+
+/// As on the command line and in file names.
+std::string_view NameOf(Narrowphase narrowphase);
+
+/// What differs between the two worlds, and nothing else does.
+std::unique_ptr<btDefaultCollisionConfiguration> MakeCollisionConfiguration(Narrowphase narrowphase);
+
+/// Queries so far that the plugin handed back to the built-in; 0 for the built-in itself.
+std::uint64_t Fallbacks(const btCollisionConfiguration& configuration);
+
+}  // namespace dgd_demos

@@ -1,0 +1,16 @@
+// The bodies at one moment, for a picture.
+#pragma once
+
+#include <vector>
+
+#include "scene/pose.h"
+
+namespace dgd_demos {
+
+struct Snapshot {
+  double time;                 ///< s
+  std::vector<Pose> poses;     ///< In the order of the bodies, the ground first.
+  std::vector<double> speeds;  ///< Of the centres of mass, m/s.
+};
+
+}  // namespace dgd_demos
