@@ -62,6 +62,7 @@ double DistanceToSet(const Set& set, const Eigen::Matrix3d& rotation, const Eige
                      const Eigen::Vector3d& point) {
   using S = typename Set::Scalar;
   const Eigen::Vector3d local = rotation.transpose() * (point - translation);
+  if (!point.allFinite()) return std::numeric_limits<double>::quiet_NaN();
   return std::max(0.0, double(set.core.Distance(local.template cast<S>())) - double(set.radius));
 }
 
@@ -93,7 +94,8 @@ Certify(const Set1& set_1, const Pose<typename Set1::Scalar>& pose_1, const Set2
                                     DistanceToSet(set_1, rotation_1, translation_1, witness_1),
                                     DistanceToSet(set_2, rotation_2, translation_2, witness_2)};
   for (const double infeasibility : infeasibilities) {
-    // Not std::max, which drops a NaN.
+    // Not std::max, which drops a NaN; and once NaN, it stays so.
+    if (std::isnan(certificate.primal_infeasibility)) break;
     if (!(infeasibility <= certificate.primal_infeasibility)) certificate.primal_infeasibility = infeasibility;
   }
 

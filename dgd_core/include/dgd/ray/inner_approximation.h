@@ -25,6 +25,7 @@
 // All coordinates are in the ray frame: x, y across the ray, z the height along it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -80,7 +81,7 @@ class InnerApproximation {
     const bool found = size == 3   ? TriangleExit(a, basis[1].point, basis[2].point, exit)
                        : size == 2 ? EdgeExit(a, basis[1].point, exit)
                                    : VertexExit(a, exit);
-    if (!found || !(exit.height >= height_)) return false;
+    if (!found || !IsNotLower(exit)) return false;
     points_ = basis;
     Adopt(exit);
     return true;
@@ -143,6 +144,30 @@ class InnerApproximation {
     return true;
   }
 
+  /// A sliver seen along the ray gives barycentric weights with few digits. The ray then passes by one of its edges,
+  /// within rounding, and the weights on that edge keep them all: take whichever meet the ray more closely.
+  static void PreferEdgeOfSliver(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c,
+                                 std::array<S, 3>& weights) {
+    const std::array<const Vector3<S>*, 3> corners{&a, &b, &c};
+    const auto lateral_sq = [](const Vector3<S>& v) { return v.x() * v.x() + v.y() * v.y(); };
+    const S longest_sq = std::max({lateral_sq(b - a), lateral_sq(c - b), lateral_sq(a - c)});
+    if (!(std::abs(Cross(b - a, c - a)) < kSliver<S> * longest_sq)) return;
+    S nearest_sq = lateral_sq(weights[0] * a + weights[1] * b + weights[2] * c);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      const Vector3<S> d = *corners[j] - *corners[i];
+      const S length_sq = lateral_sq(d);
+      if (!(length_sq > 0)) continue;
+      const S t = std::clamp(-(corners[i]->x() * d.x() + corners[i]->y() * d.y()) / length_sq, S(0), S(1));
+      const S distance_sq = lateral_sq(*corners[i] + t * d);
+      if (!(distance_sq < nearest_sq)) continue;
+      nearest_sq = distance_sq;
+      weights = {};
+      weights[i] = 1 - t;
+      weights[j] = t;
+    }
+  }
+
   /// Offset triangle: the plane through a, b and c, moved by R along its normal.
   bool TriangleExit(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, Exit& exit) const {
     if (!UpwardNormal(a, b, c, exit.normal)) return false;
@@ -151,6 +176,7 @@ class InnerApproximation {
     const Vector3<S> shifted_a = a + shift, shifted_b = b + shift, shifted_c = c + shift;
     exit.weights = {Cross(shifted_b, shifted_c), Cross(shifted_c, shifted_a), Cross(shifted_a, shifted_b)};
     if (!Normalize(exit.weights)) return false;
+    PreferEdgeOfSliver(shifted_a, shifted_b, shifted_c, exit.weights);
     exit.height = exit.weights[0] * shifted_a.z() + exit.weights[1] * shifted_b.z() + exit.weights[2] * shifted_c.z();
     exit.size = 3;
     return true;
@@ -242,11 +268,15 @@ class InnerApproximation {
     return TriangleExit(PointOf(exit.kept[0]), PointOf(exit.kept[1]), added.point, exit) && Replace(exit, added);
   }
 
+  /// Whether an exit is as high as the last one but for rounding. Where the ray meets an edge of the basis, the next
+  /// plane through that edge is no higher, and the step must not be lost to an ulp.
+  bool IsNotLower(const Exit& exit) const { return exit.height >= height_ - kWeightSlack<S> * height_; }
+
   /// Makes the kept points and the added one the basis, unless that is lower: the bound is monotone also under
   /// rounding. Equal heights are taken: where the ray meets an edge of the basis, a simplex step turns the plane
   /// without raising it.
   bool Replace(const Exit& exit, const DifferencePoint<S>& added) {
-    if (!(exit.height >= height_)) return false;
+    if (!IsNotLower(exit)) return false;
     // The kept points go to the front; i < j cyclically, so they may have to move in either order.
     std::array<DifferencePoint<S>, 2> kept;
     for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(exit.size); ++i) {
@@ -262,7 +292,7 @@ class InnerApproximation {
   void Adopt(const Exit& exit) {
     weights_ = exit.weights;
     size_ = exit.size;
-    height_ = exit.height;
+    height_ = std::max(height_, exit.height);
     normal_ = exit.normal;
     // Counterclockwise about the ray, which OutgoingIndex relies on.
     if (size_ == 3 && Cross(PointOf(1) - PointOf(0), PointOf(2) - PointOf(0)) < 0) {

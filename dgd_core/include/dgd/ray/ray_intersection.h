@@ -1,6 +1,8 @@
 // Alg. 3 of the paper as named steps; included by growth_distance.h.
 #pragma once
 
+#include <algorithm>
+
 #include "dgd/growth_distance.h"
 #include "dgd/ray/inner_approximation.h"
 #include "dgd/ray/minkowski_difference.h"
@@ -32,7 +34,8 @@ class RayIntersection {
   }
 
   int Iterations() const { return iterations_; }
-  S LowerBound() const { return coincident_ ? S(0) : difference_.Length() / outer_.Height(); }
+  /// Rounding of either may put the bounds in the wrong order by an ulp: never the reported ones.
+  S LowerBound() const { return coincident_ ? S(0) : std::min(difference_.Length() / outer_.Height(), UpperBound()); }
   S UpperBound() const { return coincident_ ? S(0) : difference_.Length() / inner_.Height(); }
   Vector3<S> Normal() const { return difference_.DirectionToWorld(outer_.Normal()); }
   /// Distance of the supporting planes along the normal, metres.

@@ -26,6 +26,11 @@ inline constexpr S kMinRounding = kSqrtEpsilon<S>;
 template <class S>
 inline constexpr S kWeightSlack = 16 * kEpsilon<S>;
 
+/// Triangles with less area than this part of the square over their longest side, seen along the ray, are slivers:
+/// their barycentric weights have lost half of their digits. Test: GrowthDistance_SteepTriangle_*.
+template <class S>
+inline constexpr S kSliver = kSqrtEpsilon<S>;
+
 /// Centres nearer than this part of the inradii coincide: the growth distance is then below it, and the direction
 /// between the centres is rounding.
 template <class S>

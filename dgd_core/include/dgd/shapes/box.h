@@ -17,8 +17,9 @@ class Box {
   }
 
   SupportPoint<S> Support(const Vector3<S>& direction) const {
-    const VertexId corner =
-        VertexId(direction.x() < 0) | VertexId(direction.y() < 0) << 1 | VertexId(direction.z() < 0) << 2;
+    // The sign bit, as copysign() reads it: -0 counts as negative in both.
+    const VertexId corner = VertexId(std::signbit(direction.x())) | VertexId(std::signbit(direction.y())) << 1 |
+                            VertexId(std::signbit(direction.z())) << 2;
     return {Vector3<S>(std::copysign(half_extents_.x(), direction.x()), std::copysign(half_extents_.y(), direction.y()),
                        std::copysign(half_extents_.z(), direction.z())),
             corner};

@@ -1,0 +1,137 @@
+#include "dgd/ray/inner_approximation.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "dgd/shapes/polytope.h"
+#include "support/random.h"
+
+namespace dgd_test {
+namespace {
+
+using dgd::DifferencePoint;
+using dgd::InnerApproximation;
+using Eigen::Vector3d;
+
+DifferencePoint<double> PointAt(const Vector3d& where) {
+  DifferencePoint<double> point;
+  point.point = where;
+  point.on_1 = 0.25 * where + Vector3d(1, 0, 0);  // Any other affine image.
+  return point;
+}
+
+std::vector<Vector3d> PointsOf(const InnerApproximation<double>& inner) {
+  std::vector<Vector3d> points;
+  for (int i = 0; i < inner.Size(); ++i) points.push_back(inner[i].point);
+  return points;
+}
+
+/// Height at which the ray leaves hull + ball(radius), by bisection on the distance to the hull. `inside` is in it.
+double ExitHeight(const std::vector<Vector3d>& points, double radius, double inside) {
+  const dgd::Polytope<double> hull(points);
+  double outside = 100;
+  for (int i = 0; i < 80; ++i) {
+    const double middle = (inside + outside) / 2;
+    (hull.Distance({0, 0, middle}) <= radius + 1e-14 ? inside : outside) = middle;
+  }
+  return inside;
+}
+
+/// The feature's point plus the radius along the normal lies on the ray, at the height.
+void CheckExitPoint(const InnerApproximation<double>& inner, double radius) {
+  ASSERT_NEAR(inner.Normal().norm(), 1, 1e-14);
+  const Vector3d exit = inner.CorePoint1() - inner.CorePoint2() + radius * inner.Normal();
+  EXPECT_NEAR((exit - Vector3d(0, 0, inner.Height())).norm(), 0, 1e-12);
+}
+
+TEST(InnerApproximation, FromInradius_IsATriangleInTheBall) {
+  for (const double share : {0.0, 0.3, 1.0}) {
+    const auto inner = InnerApproximation<double>::FromInradius(2, share);
+    ASSERT_EQ(inner.Size(), 3);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_LE(inner[i].point.norm(), 2 * (1 + 1e-15));
+      EXPECT_LE(inner[i].on_1.norm(), 2 * share * (1 + 1e-15));
+    }
+    EXPECT_EQ(inner.Height(), 1);
+    CheckExitPoint(inner, 0);
+  }
+}
+
+TEST(InnerApproximation, FromCenter_IsTheBall) {
+  const auto inner = InnerApproximation<double>::FromCenter(0.5);
+  EXPECT_EQ(inner.Size(), 1);
+  EXPECT_EQ(inner.Height(), 0.5);
+  CheckExitPoint(inner, 0.5);
+}
+
+// As the solver does it: points that are the farthest along the normal. Each step ends exactly where the ray leaves the
+// hull of the old feature and the new point, and the last one where it leaves the hull of all points.
+void RunToTheEnd(double radius, int count, Random& random) {
+  std::vector<Vector3d> cloud;
+  for (int i = 0; i < count; ++i) cloud.push_back(random.Uniform(0.6, 1) * random.UnitVector() + Vector3d(0, 0, 0.1));
+  constexpr double kBall = 0.05;  // Small enough to lie in the hull of most clouds; else the case is skipped.
+  if (radius == 0 && dgd::Polytope<double>(cloud).Hull().inradius < 0.3) return;
+  auto inner = radius > 0 ? InnerApproximation<double>::FromCenter(radius)
+                          : InnerApproximation<double>::FromInradius(kBall, 0.5);
+  std::vector<Vector3d> everything = cloud;
+  if (radius > 0) everything.push_back(Vector3d::Zero());
+  for (int step = 0; step < 100; ++step) {
+    const Vector3d normal = inner.Normal();
+    const double value = normal.dot(inner[0].point);
+    Vector3d farthest = cloud[0];
+    for (const Vector3d& point : cloud) {
+      if (normal.dot(point) > normal.dot(farthest)) farthest = point;
+    }
+    if (normal.dot(farthest) <= value + 1e-12) break;
+    std::vector<Vector3d> old_and_new = PointsOf(inner);
+    old_and_new.push_back(farthest);
+    const double before = inner.Height();
+    ASSERT_TRUE(inner.Insert(PointAt(farthest)));
+    EXPECT_GE(inner.Height(), before);
+    EXPECT_NEAR(inner.Height(), ExitHeight(old_and_new, radius, before), 1e-9);
+    if (::testing::Test::HasFailure()) return;
+  }
+  EXPECT_NEAR(inner.Height(), ExitHeight(everything, radius, 0), 1e-9);
+}
+
+TEST(InnerApproximation, SharpSteps_LeaveTheHullWhereTheRayDoes) {
+  Random random(TestSeed());
+  for (int i = 0; i < TestCount(300); ++i) RunToTheEnd(0, 12 + random.Below(30), random);
+}
+
+TEST(InnerApproximation, RoundedSteps_LeaveTheHullWhereTheRayDoes) {
+  Random random(TestSeed());
+  for (int i = 0; i < TestCount(300); ++i) {
+    for (const double radius : {1e-3, 0.04, 0.5, 20.0}) RunToTheEnd(radius, 1 + random.Below(30), random);
+  }
+}
+
+// Points that are not above the plane, equal ones, ones on the ray: the height never falls, and the exit point stays
+// where it is said to be.
+TEST(InnerApproximation, AnyInsertion_NeverLowersTheHeight) {
+  Random random(TestSeed());
+  for (int i = 0; i < TestCount(3000); ++i) {
+    const double radius = random.Flip() ? 0 : random.LogUniform(0.01, 1);
+    auto inner = radius > 0 ? InnerApproximation<double>::FromCenter(radius)
+                            : InnerApproximation<double>::FromInradius(0.3, 0.5);
+    std::vector<DifferencePoint<double>> earlier;
+    for (int k = 0; k < 12; ++k) {
+      Vector3d where = 2 * random.InCube();
+      if (random.Below(5) == 0) where.head<2>().setZero();
+      if (random.Below(5) == 0) where.y() = where.x();
+      if (random.Below(5) == 0) where = Vector3d(where.array().round());
+      const bool repeat = !earlier.empty() && random.Below(5) == 0;
+      earlier.push_back(repeat ? earlier[static_cast<std::size_t>(random.Below(k))] : PointAt(where));
+      const double before = inner.Height();
+      (void)inner.Insert(earlier.back());
+      ASSERT_GE(inner.Height(), before);
+      ASSERT_GT(inner.Normal().z(), 0);
+      if (k > 0 || inner.Size() < 3) CheckExitPoint(inner, radius);
+      if (::testing::Test::HasFailure()) return;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dgd_test

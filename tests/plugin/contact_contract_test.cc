@@ -1,0 +1,317 @@
+// The contract of a contact, for every ordered pair of convex types and from deeply overlapping to just apart:
+//  * the normal is a unit vector from B to A: moving A along it parts the two;
+//  * the point is on B's surface, and the point that Bullet derives from it, point + depth * normal, on A's;
+//  * the depth is a signed distance, margins included: that of the deepest point is the distance of the two supporting
+//    planes along the normal, and no point claims more overlap;
+//  * its sign is that of the exact signed distance.
+// "Exact" is Bullet's own geometry, core plus margin, through Bullet's own support functions (bullet_oracle.h).
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <sstream>
+
+#include "plugin/pair_query.h"
+#include "plugin/shape_zoo.h"
+#include "plugin/test_world.h"
+
+namespace dgd_test {
+namespace {
+
+constexpr double kSize = 1;  // Metres, of every shape of the zoo.
+
+/// Rounding of Bullet's scalar, for lengths of a few metres: the poses and the points come in it.
+constexpr double kRounding = 32 * double(std::numeric_limits<btScalar>::epsilon());
+/// What the solver leaves on curved shapes: its relative tolerance times their size, and the same of the squared angle
+/// that a flat optimum leaves to the normal.
+constexpr double kLength = 1e-7 + kRounding;
+/// The patch drops the witness for a corner that is as deep within this part of the contact distance, at most 2 cm
+/// here (contact_patch.h).
+constexpr double kAsDeep = 1e-3 * 0.02;
+
+/// Where the two bodies stand. The signed distance is exact for all but kDeep.
+enum class Nearness { kApart, kTouching, kShallow, kDeep };
+constexpr Nearness kNearnesses[] = {Nearness::kApart, Nearness::kTouching, Nearness::kShallow, Nearness::kDeep};
+
+/// The signed distance wanted, metres.
+double Gap(Random& random, Nearness nearness, double margins) {
+  switch (nearness) {
+    case Nearness::kApart:
+      return kSize * random.Uniform(1e-4, 5e-3);
+    case Nearness::kTouching:
+      return 0;
+    case Nearness::kShallow:
+      return -std::min(margins / 2, kSize * random.Uniform(1e-4, 5e-3));
+    default:
+      return -margins - kSize * random.Uniform(0.01, 0.1);
+  }
+}
+
+/// Puts both bodies anywhere, then B along the shortest way to where the signed distance is as wanted.
+void Place(Random& random, Nearness nearness, PairQuery& pair) {
+  const btTransform pose_a = MakeTransform(random.Rotation(), kSize * random.InCube());
+  const Eigen::Matrix3d rotation_b = random.Rotation();
+  Vector position_b = ToEigen(pose_a.getOrigin()) + 5 * kSize * random.UnitVector();
+  pair.SetPoses(pose_a, MakeTransform(rotation_b, position_b));
+  const SignedDistance far = DistanceOfShapes(pair.A(), pair.B());
+  const double gap = Gap(random, nearness, pair.A().Margin() + pair.B().Margin());
+  position_b += (far.value - gap) * far.normal_b_to_a;
+  pair.SetPoses(pose_a, MakeTransform(rotation_b, position_b));
+}
+
+std::string Describe(const btTransform& pose) {
+  std::ostringstream text;
+  text.precision(17);
+  for (int row = 0; row < 3; ++row) {
+    const btVector3& axis = pose.getBasis()[row];
+    text << axis.x() << ", " << axis.y() << ", " << axis.z() << ",  ";
+  }
+  text << "at " << pose.getOrigin().x() << ", " << pose.getOrigin().y() << ", " << pose.getOrigin().z();
+  return text.str();
+}
+
+/// Shape A by its place in the zoo, and the route to the narrowphase.
+class ContactContract : public testing::TestWithParam<std::tuple<int, Route>> {
+ protected:
+  static constexpr int kPosesPerPair = 4;
+
+  /// Runs `check(pair, contacts)` on shape A against every shape, at every nearness. Stops at a pair's first failure.
+  template <class Check>
+  void ForEveryPair(const Check& check) {
+    std::vector<ZooShape> zoo_a = MakeShapeZoo(kSize), zoo_b = MakeShapeZoo(kSize);
+    const ZooShape& a = zoo_a[static_cast<std::size_t>(std::get<0>(GetParam()))];
+    for (const ZooShape& b : zoo_b) {
+      for (const Nearness nearness : kNearnesses) {
+        Random random(TestSeed());
+        for (int i = 0; i < kPosesPerPair; ++i) {
+          PairQuery pair(dispatching_.dispatcher(), *a.shape, *b.shape);
+          Place(random, nearness, pair);
+          const std::vector<Contact> contacts = pair.Step();
+          SCOPED_TRACE(a.name + " on " + b.name + ", pose " + std::to_string(i) + " of nearness " +
+                       std::to_string(static_cast<int>(nearness)) + "\n  A " +
+                       Describe(pair.body_a().getWorldTransform()) + "\n  B " +
+                       Describe(pair.body_b().getWorldTransform()));
+          check(pair, contacts);
+          if (HasFailure()) return;
+        }
+      }
+    }
+  }
+
+  Dispatching dispatching_{std::get<1>(GetParam())};
+};
+
+TEST_P(ContactContract, TouchingAndOverlappingBodiesHaveAContact) {
+  ForEveryPair([&](PairQuery& pair, const std::vector<Contact>& contacts) {
+    const SignedDistance exact = DistanceOfShapes(pair.A(), pair.B());
+    if (exact.value <= kLength) {
+      EXPECT_FALSE(contacts.empty());
+    }
+  });
+}
+
+TEST_P(ContactContract, NormalIsAUnitVectorAndTheSameForAllPoints) {
+  ForEveryPair([&](PairQuery&, const std::vector<Contact>& contacts) {
+    for (const Contact& contact : contacts) {
+      ASSERT_TRUE(contact.normal_b_to_a.allFinite());
+      EXPECT_NEAR(contact.normal_b_to_a.norm(), 1, kRounding);
+      EXPECT_EQ(contact.normal_b_to_a, contacts[0].normal_b_to_a);
+    }
+  });
+}
+
+TEST_P(ContactContract, MovingAAlongTheNormalByTheOverlapPartsTheBodies) {
+  ForEveryPair([&](PairQuery& pair, const std::vector<Contact>& contacts) {
+    if (contacts.empty()) return;
+    constexpr double kClear = 0.01;
+    const Contact& deepest = Deepest(contacts);
+    btTransform moved = pair.body_a().getWorldTransform();
+    moved.setOrigin(moved.getOrigin() + ToBullet((kClear - deepest.depth) * deepest.normal_b_to_a));
+    pair.SetPoses(moved, pair.body_b().getWorldTransform());
+    EXPECT_GE(DistanceOfShapes(pair.A(), pair.B()).value, kClear - kAsDeep - kLength);
+  });
+}
+
+TEST_P(ContactContract, DeepestDepthIsTheDistanceOfTheSupportingPlanes) {
+  ForEveryPair([&](PairQuery& pair, const std::vector<Contact>& contacts) {
+    if (contacts.empty()) return;
+    const Contact& deepest = Deepest(contacts);
+    const double separation = PlaneSeparation(pair.A(), pair.B(), deepest.normal_b_to_a);
+    EXPECT_NEAR(deepest.depth, separation, kAsDeep + kLength);
+    EXPECT_GE(deepest.depth, separation - kLength) << "claims more overlap than there is";
+  });
+}
+
+TEST_P(ContactContract, DepthHasTheSignOfTheExactDistance) {
+  ForEveryPair([&](PairQuery& pair, const std::vector<Contact>& contacts) {
+    if (contacts.empty()) return;
+    const SignedDistance exact = DistanceOfShapes(pair.A(), pair.B());
+    const double depth = Deepest(contacts).depth;
+    // No direction parts the shapes by more than their distance.
+    EXPECT_LE(depth, exact.value + kAsDeep + kLength);
+    if (exact.value > kAsDeep + kLength) {
+      EXPECT_GT(depth, -kLength);
+    }
+  });
+}
+
+TEST_P(ContactContract, DeepestPointIsOnTheSupportingPlaneOfB) {
+  ForEveryPair([&](PairQuery& pair, const std::vector<Contact>& contacts) {
+    if (contacts.empty()) return;
+    const Contact& deepest = Deepest(contacts);
+    EXPECT_NEAR(deepest.normal_b_to_a.dot(deepest.on_b), pair.B().SupportValue(deepest.normal_b_to_a),
+                kAsDeep + 2 * kLength);
+  });
+}
+
+TEST_P(ContactContract, EveryPointIsOnB) {
+  ForEveryPair([&](PairQuery& pair, const std::vector<Contact>& contacts) {
+    for (const Contact& contact : contacts) EXPECT_LE(Outside(pair.B(), contact.on_b), 2 * kLength);
+  });
+}
+
+// Where the bodies touch, the growth distance's normal is the contact normal, exactly.
+TEST_P(ContactContract, TouchingBodiesHaveTheExactNormalAndDepth) {
+  ForEveryPair([&](PairQuery& pair, const std::vector<Contact>& contacts) {
+    const SignedDistance exact = DistanceOfShapes(pair.A(), pair.B());
+    if (contacts.empty() || !exact.exact || std::abs(exact.value) > kLength) return;
+    const Contact& deepest = Deepest(contacts);
+    EXPECT_NEAR(deepest.depth, exact.value, kAsDeep + kLength);
+    // Sharp corners and edges have many normals, and rounding of the pose chooses among them.
+    const double margins = pair.A().Margin() + pair.B().Margin();
+    if (margins < 0.02 * kSize) return;
+    EXPECT_LE((deepest.normal_b_to_a - exact.normal_b_to_a).norm(), std::sqrt(kLength / margins));
+    EXPECT_LE(std::abs(Outside(pair.A(), deepest.OnA())), kAsDeep + 4 * kLength);
+    EXPECT_LE(std::abs(Outside(pair.B(), deepest.on_b)), kAsDeep + 4 * kLength);
+  });
+}
+
+// Pairs that have an interior never need Bullet's GJK/EPA.
+TEST_P(ContactContract, NoPairFallsBack) {
+  ForEveryPair([&](PairQuery& pair, const std::vector<Contact>&) {
+    EXPECT_EQ(dispatching_.statistics().Fallbacks(), 0U) << pair.A().Margin() << " and " << pair.B().Margin();
+  });
+}
+
+std::string NameOfCase(const testing::TestParamInfo<std::tuple<int, Route>>& info) {
+  return ShapeZooNames()[static_cast<std::size_t>(std::get<0>(info.param))] + "_" + Name(std::get<1>(info.param));
+}
+INSTANTIATE_TEST_SUITE_P(AllTypes, ContactContract,
+                         testing::Combine(testing::Range(0, static_cast<int>(ShapeZooNames().size())),
+                                          testing::Values(Route::kConfiguration, Route::kRegister)),
+                         NameOfCase);
+
+// The answers that can be written down.
+
+class ClosedForm : public testing::Test {
+ protected:
+  /// One contact of two shapes, with its depth, normal and point on B as they must be.
+  void ExpectContact(btConvexShape& a, const Vector& position_a, btConvexShape& b, double depth, const Vector& normal,
+                     const Vector& on_b, const Eigen::Matrix3d& rotation_a = Eigen::Matrix3d::Identity()) {
+    // The whole scene is turned and moved as well: nothing may depend on the axes.
+    Random random(TestSeed());
+    for (int i = 0; i < 20; ++i) {
+      const Eigen::Matrix3d turn = i == 0 ? Eigen::Matrix3d(Eigen::Matrix3d::Identity()) : random.Rotation();
+      const Vector shift = i == 0 ? Vector(0, 0, 0) : random.InCube();
+      PairQuery pair(dispatching_.dispatcher(), a, b);
+      pair.SetPoses(MakeTransform(turn * rotation_a, turn * position_a + shift), MakeTransform(turn, shift));
+      const std::vector<Contact> contacts = pair.Step();
+      ASSERT_FALSE(contacts.empty());
+      const Contact& deepest = Deepest(contacts);
+      EXPECT_NEAR(deepest.depth, depth, kAsDeep + kLength);
+      EXPECT_LE((deepest.normal_b_to_a - turn * normal).norm(), 1e-3);
+      EXPECT_LE((deepest.on_b - (turn * on_b + shift)).norm(), 1e-3);
+    }
+  }
+
+  Dispatching dispatching_{Route::kConfiguration};
+  btSphereShape sphere_{btScalar(0.5)}, ball_{btScalar(0.25)};
+  btBoxShape box_{Vec(0.5, 0.4, 0.3)};
+  btCapsuleShapeX capsule_{btScalar(0.2), btScalar(1)};
+};
+
+TEST_F(ClosedForm, SphereOnSphere) {
+  const Vector direction = Vector(1, -2, 2) / 3;
+  for (const double depth : {-0.7, -0.3, -0.01, 0.0, 0.004}) {
+    ExpectContact(ball_, (0.75 + depth) * direction, sphere_, depth, direction, 0.5 * direction);
+  }
+}
+
+TEST_F(ClosedForm, SphereOnBoxFace) {
+  for (const double depth : {-0.1, -0.01, 0.0, 0.004}) {
+    ExpectContact(ball_, {0.2, -0.1, 0.55 + depth}, box_, depth, Vector::UnitZ(), {0.2, -0.1, 0.3});
+  }
+}
+
+// Bullet's box has rounded edges and corners where its partner is not a box.
+TEST_F(ClosedForm, SphereOnBoxEdgeAndCorner) {
+  const double margin = double(box_.getMargin());
+  const Vector core = Vector(0.5, 0.4, 0.3) - Vector::Constant(margin);
+  const Vector edge_normal = Vector(1, 0, 1).normalized(), corner_normal = Vector(1, 2, 2).normalized();
+  for (const double depth : {-0.002, 0.0, 0.004}) {
+    const Vector edge(core.x(), 0.1, core.z());
+    ExpectContact(ball_, edge + (margin + 0.25 + depth) * edge_normal, box_, depth, edge_normal,
+                  edge + margin * edge_normal);
+    ExpectContact(ball_, core + (margin + 0.25 + depth) * corner_normal, box_, depth, corner_normal,
+                  core + margin * corner_normal);
+  }
+}
+
+TEST_F(ClosedForm, SphereOnCapsule) {
+  const Vector side = Vector(0, 3, 4) / 5, end = Vector(2, 1, 2) / 3;
+  for (const double depth : {-0.002, 0.0, 0.004}) {
+    ExpectContact(ball_, Vector(0.3, 0, 0) + (0.45 + depth) * side, capsule_, depth, side, Vector(0.3, 0, 0) + 0.2 * side);
+    ExpectContact(ball_, Vector(0.5, 0, 0) + (0.45 + depth) * end, capsule_, depth, end, Vector(0.5, 0, 0) + 0.2 * end);
+  }
+}
+
+TEST_F(ClosedForm, CapsulesCrossing) {
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(1.2, Vector::UnitZ()).toRotationMatrix();
+  for (const double depth : {-0.002, 0.0, 0.004}) {
+    ExpectContact(capsule_, {0, 0, 0.4 + depth}, capsule_, depth, Vector::UnitZ(), {0, 0, 0.2}, turn);
+  }
+}
+
+// A corner pushed into a face: the core's corner is deepest, a margin outside it the surface.
+TEST_F(ClosedForm, BoxCornerOnBoxFace) {
+  const double margin = double(box_.getMargin());
+  const Vector down = Vector(1, 2, 2) / 3;  // Of the tilted box, in its own frame, towards its corner (+, +, +).
+  const Eigen::Matrix3d tilt = Eigen::Quaterniond::FromTwoVectors(down, -Vector::UnitZ()).toRotationMatrix();
+  const Vector corner = Vector(0.5, 0.4, 0.3) - Vector::Constant(margin);
+  for (const double depth : {-0.001, 0.0, 0.004}) {
+    const Vector corner_in_world(0.1, 0.05, 0.3 + margin + depth);
+    btBoxShape cube(Vec(0.5, 0.4, 0.3));
+    ExpectContact(cube, corner_in_world - tilt * corner, box_, depth, Vector::UnitZ(), {0.1, 0.05, 0.3}, tilt);
+  }
+}
+
+// A sphere's deepest point lies on the line through its centre along the normal: elsewhere, the contact would spin it and
+// stop only a part of its motion.
+TEST_F(ClosedForm, SphereOnAnything_ContactIsOnTheLineThroughItsCentre) {
+  Random random(TestSeed());
+  for (const ZooShape& shape : MakeShapeZoo(kSize)) {
+    for (const Nearness nearness : kNearnesses) {
+      SCOPED_TRACE(shape.name + ", nearness " + std::to_string(static_cast<int>(nearness)));
+      for (int i = 0; i < 10; ++i) {
+        PairQuery first(dispatching_.dispatcher(), ball_, *shape.shape);
+        Place(random, nearness, first);
+        PairQuery last(dispatching_.dispatcher(), *shape.shape, ball_);
+        last.SetPoses(first.body_b().getWorldTransform(), first.body_a().getWorldTransform());
+        const Vector center = ToEigen(first.body_a().getWorldTransform().getOrigin());
+        for (PairQuery* pair : {&first, &last}) {
+          const std::vector<Contact> contacts = pair->Step();
+          if (contacts.empty()) continue;
+          const Contact& deepest = Deepest(contacts);
+          EXPECT_LE((deepest.on_b - center).cross(deepest.normal_b_to_a).norm(), 1e-4);
+        }
+        if (HasFailure()) return;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dgd_test

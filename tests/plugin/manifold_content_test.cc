@@ -1,0 +1,325 @@
+// What is in the manifold: the whole patch in one step, the same points from step to step, and none that the geometry
+// no longer has.
+#include <BulletCollision/CollisionShapes/btTriangleShape.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+#include "plugin/pair_query.h"
+#include "plugin/shape_zoo.h"
+#include "plugin/test_world.h"
+
+namespace dgd_test {
+namespace {
+
+constexpr double kLength = 1e-5;  // Rounding of float at a metre, with some room.
+constexpr double kPi = 3.141592653589793;
+
+btTransform At(double x, double y, double z) { return MakeTransform(Eigen::Matrix3d::Identity(), {x, y, z}); }
+
+btTransform Turned(const Vector& axis, double angle, const Vector& position) {
+  return MakeTransform(Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix(), position);
+}
+
+/// Sides of the smallest axis-parallel rectangle in x and y around the points.
+Eigen::Vector2d Span(const std::vector<Contact>& contacts) {
+  Eigen::AlignedBox2d bounds;
+  for (const Contact& contact : contacts) bounds.extend(contact.on_b.head<2>());
+  return bounds.isEmpty() ? Eigen::Vector2d::Zero() : Eigen::Vector2d(bounds.sizes());
+}
+
+class ManifoldContent : public testing::Test {
+ protected:
+  /// A on top of B, where they overlap by 1 mm; all points must say so.
+  std::vector<Contact> Lay(btConvexShape& shape, const btTransform& pose) {
+    PairQuery pair(dispatching_.dispatcher(), shape, floor_);
+    pair.SetPoses(pose, At(0, 0, -1));
+    std::vector<Contact> contacts = pair.Step();
+    EXPECT_EQ(pair.manifold()->getNumContacts(), static_cast<int>(contacts.size())) << "points too near to each other";
+    for (const Contact& contact : contacts) {
+      EXPECT_NEAR(contact.depth, -0.001, kLength);
+      EXPECT_NEAR((contact.normal_b_to_a - Vector::UnitZ()).norm(), 0, 1e-5);
+      EXPECT_NEAR(contact.on_b.z(), 0, kLength);
+    }
+    return contacts;
+  }
+
+  Dispatching dispatching_{Route::kConfiguration};
+  btBoxShape floor_{Vec(5, 5, 1)};
+  btBoxShape box_{Vec(0.5, 0.3, 0.2)};
+};
+
+TEST_F(ManifoldContent, BoxOnFloor_FourPointsSpanTheFaceWithoutItsRounding) {
+  const std::vector<Contact> contacts = Lay(box_, At(0.3, 0.2, 0.199));
+  EXPECT_EQ(contacts.size(), 4U);
+  const double margin = double(box_.getMargin());
+  EXPECT_NEAR(Span(contacts).x(), 1 - 2 * margin, kLength);
+  EXPECT_NEAR(Span(contacts).y(), 0.6 - 2 * margin, kLength);
+}
+
+TEST_F(ManifoldContent, BoxOnBox_FourPointsSpanTheCommonPart) {
+  PairQuery pair(dispatching_.dispatcher(), box_, box_);
+  pair.SetPoses(At(0.3, 0.1, 0.399), At(0, 0, 0));
+  const std::vector<Contact> contacts = pair.Step();
+  EXPECT_EQ(contacts.size(), 4U);
+  const double margin = double(box_.getMargin());
+  EXPECT_NEAR(Span(contacts).x(), 0.7 - 2 * margin, kLength);
+  EXPECT_NEAR(Span(contacts).y(), 0.5 - 2 * margin, kLength);
+}
+
+TEST_F(ManifoldContent, BoxCrossingBox_FourPointsSpanTheCrossing) {
+  btBoxShape plank(Vec(2, 0.2, 0.1));
+  PairQuery pair(dispatching_.dispatcher(), plank, plank);
+  pair.SetPoses(Turned(Vector::UnitZ(), kPi / 2, {0, 0, 0.199}), At(0, 0, 0));
+  const std::vector<Contact> contacts = pair.Step();
+  EXPECT_EQ(contacts.size(), 4U);
+  const double side = 0.4 - 2 * double(plank.getMargin());
+  EXPECT_NEAR(Span(contacts).x(), side, kLength);
+  EXPECT_NEAR(Span(contacts).y(), side, kLength);
+}
+
+TEST_F(ManifoldContent, PrismOnFloor_FourPointsSpanTheHexagon) {
+  const auto prism = MakePrism(6, 0.5, 0.2);
+  const std::vector<Contact> contacts = Lay(*prism, At(0, 0, 0.2 + double(prism->getMargin()) - 0.001));
+  EXPECT_EQ(contacts.size(), 4U);
+  EXPECT_NEAR(Span(contacts).norm(), Eigen::Vector2d(1, std::sqrt(0.75)).norm(), 0.15);
+}
+
+TEST_F(ManifoldContent, CapsuleLyingOnFloor_TwoPointsAtItsEnds) {
+  btCapsuleShapeX capsule(btScalar(0.2), btScalar(1));
+  const std::vector<Contact> contacts = Lay(capsule, At(0, 0, 0.199));
+  EXPECT_EQ(contacts.size(), 2U);
+  EXPECT_NEAR(Span(contacts).x(), 1, kLength);
+  EXPECT_NEAR(Span(contacts).y(), 0, kLength);
+}
+
+TEST_F(ManifoldContent, CylinderUprightOnFloor_PointsSpanTheCap) {
+  btCylinderShapeZ cylinder(Vec(0.4, 0.4, 0.3));
+  const std::vector<Contact> contacts = Lay(cylinder, At(0, 0, 0.299));
+  EXPECT_GE(contacts.size(), 3U);
+  const double radius = 0.4 - double(cylinder.getMargin());
+  EXPECT_GE(Span(contacts).minCoeff(), 1.4 * radius);
+  for (const Contact& contact : contacts) EXPECT_NEAR(contact.on_b.head<2>().norm(), radius, kLength);
+}
+
+TEST_F(ManifoldContent, CylinderLyingOnFloor_TwoPointsAlongItsSide) {
+  btCylinderShapeX cylinder(Vec(0.5, 0.3, 0.3));
+  const std::vector<Contact> contacts = Lay(cylinder, At(0, 0, 0.299));
+  EXPECT_EQ(contacts.size(), 2U);
+  EXPECT_NEAR(Span(contacts).x(), 1 - 2 * double(cylinder.getMargin()), kLength);
+}
+
+TEST_F(ManifoldContent, ConeUprightOnFloor_PointsSpanTheBase) {
+  btConeShapeZ cone(btScalar(0.4), btScalar(0.6));
+  const std::vector<Contact> contacts = Lay(cone, At(0, 0, 0.3 + double(cone.getMargin()) - 0.001));
+  EXPECT_GE(contacts.size(), 3U);
+  EXPECT_GE(Span(contacts).minCoeff(), 1.4 * 0.4);
+}
+
+TEST_F(ManifoldContent, SphereOnFloor_OnePoint) {
+  btSphereShape sphere(btScalar(0.5));
+  EXPECT_EQ(Lay(sphere, At(1, 2, 0.499)).size(), 1U);
+}
+
+TEST_F(ManifoldContent, BoxOnItsEdge_TwoPointsAlongIt) {
+  btBoxShape cube(Vec(0.5, 0.5, 0.5));
+  const double margin = double(cube.getMargin());
+  const double height = std::sqrt(2) * (0.5 - margin) + margin;
+  const std::vector<Contact> contacts = Lay(cube, Turned(Vector::UnitX(), kPi / 4, {0, 0, height - 0.001}));
+  EXPECT_EQ(contacts.size(), 2U);
+  EXPECT_NEAR(Span(contacts).x(), 1 - 2 * margin, kLength);
+}
+
+TEST_F(ManifoldContent, TriangleOnFloor_ThreePoints) {
+  btTriangleShape triangle(Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 1, 0));
+  EXPECT_EQ(Lay(triangle, At(0, 0, double(triangle.getMargin()) - 0.001)).size(), 3U);
+}
+
+// Two capsules that cross at a small angle touch where they cross. Near their ends they are centimetres apart, and no
+// point may claim that they overlap there.
+TEST_F(ManifoldContent, CapsulesCrossingAtASmallAngle_NoOverlapWhereThereIsNone) {
+  btCapsuleShapeX capsule(btScalar(0.02), btScalar(2));
+  for (const double degrees : {0.5, 1.0, 2.0, 2.8, 5.0, 30.0}) {
+    PairQuery pair(dispatching_.dispatcher(), capsule, capsule);
+    pair.SetPoses(Turned(Vector::UnitZ(), degrees * kPi / 180, {0, 0, 0.039}), At(0, 0, 0));
+    const std::vector<Contact> contacts = pair.Step();
+    ASSERT_FALSE(contacts.empty());
+    EXPECT_NEAR(Deepest(contacts).depth, -0.001, kLength);
+    for (const Contact& contact : contacts) {
+      SCOPED_TRACE(std::to_string(degrees) + " degrees, " + std::to_string(contact.on_b.x()) + " from the crossing");
+      // The exact overlap of the two around that place.
+      const double lateral = 2 * std::abs(contact.on_b.x()) * std::tan(degrees / 2 * kPi / 180);
+      EXPECT_GE(contact.depth, std::hypot(0.039, lateral) - 0.04 - kLength);
+      EXPECT_LE(std::abs(Outside(pair.B(), contact.on_b)), kLength + 1e-4);
+    }
+  }
+}
+
+// A point's impulse is what the next step starts from: it must survive that the body moves a little.
+TEST_F(ManifoldContent, PointsPersistWhileTheBodyMovesALittle) {
+  PairQuery pair(dispatching_.dispatcher(), box_, floor_);
+  pair.SetPoses(At(0, 0, 0.199), At(0, 0, -1));
+  pair.Step();
+  ASSERT_EQ(pair.manifold()->getNumContacts(), 4);
+  std::vector<btScalar> marks;
+  for (int i = 0; i < 4; ++i) {
+    btManifoldPoint& point = pair.manifold()->getContactPoint(i);
+    point.m_appliedImpulse = btScalar(1 + i);
+    point.m_appliedImpulseLateral1 = btScalar(10 + i);
+  }
+  for (int step = 1; step <= 20; ++step) {
+    pair.SetPoses(Turned({0.3, -0.2, 1}, 1e-4 * step, {1e-4 * step, -1e-4 * step, 0.199 + 1e-5 * step}), At(0, 0, -1));
+    pair.Step();
+    ASSERT_EQ(pair.manifold()->getNumContacts(), 4) << "step " << step;
+    std::vector<btScalar> impulses;
+    for (int i = 0; i < 4; ++i) {
+      const btManifoldPoint& point = pair.manifold()->getContactPoint(i);
+      impulses.push_back(point.m_appliedImpulse);
+      EXPECT_EQ(point.getLifeTime(), step + 1);
+      EXPECT_EQ(point.m_appliedImpulseLateral1, point.m_appliedImpulse + 9);
+    }
+    std::sort(impulses.begin(), impulses.end());
+    for (int i = 0; i < 4; ++i) EXPECT_EQ(impulses[static_cast<std::size_t>(i)], btScalar(1 + i));
+  }
+}
+
+/// All cached points must be where the bodies are now: on B's surface, along a normal of this step.
+void ExpectNothingStale(PairQuery& pair, const std::vector<Contact>& contacts) {
+  ASSERT_EQ(pair.manifold()->getNumContacts(), static_cast<int>(contacts.size()));
+  for (int i = 0; i < pair.manifold()->getNumContacts(); ++i) {
+    const btManifoldPoint& point = pair.manifold()->getContactPoint(i);
+    EXPECT_LE((ToEigen(point.m_normalWorldOnB) - contacts[0].normal_b_to_a).norm(), 1e-6);
+    double nearest = 1;
+    for (const Contact& contact : contacts) {
+      nearest = std::min(nearest, (ToEigen(point.getPositionWorldOnB()) - contact.on_b).norm());
+    }
+    EXPECT_LE(nearest, kLength);
+  }
+}
+
+// bullet3 issues 1739 and 2646: Bullet keeps points whose normal belongs to an earlier pose.
+TEST_F(ManifoldContent, StalePoints_AreDroppedAfterARotation) {
+  btBoxShape cube(Vec(0.5, 0.5, 0.5));
+  PairQuery pair(dispatching_.dispatcher(), cube, floor_);
+  pair.SetPoses(At(0, 0, 0.499), At(0, 0, -1));
+  EXPECT_EQ(pair.Step().size(), 4U);
+  for (const double degrees : {1.0, 5.0, 20.0, 45.0, 70.0, 89.0, 90.0}) {
+    SCOPED_TRACE(degrees);
+    const double angle = degrees * kPi / 180, margin = double(cube.getMargin());
+    const double height = (0.5 - margin) * (std::cos(angle) + std::sin(angle)) + margin;
+    pair.SetPoses(Turned(Vector::UnitX(), angle, {0, 0, height - 0.001}), At(0, 0, -1));
+    const std::vector<Contact> contacts = pair.Step();
+    ASSERT_FALSE(contacts.empty());
+    ExpectNothingStale(pair, contacts);
+  }
+}
+
+TEST_F(ManifoldContent, StalePoints_AreDroppedWhenTheBodiesPart) {
+  PairQuery pair(dispatching_.dispatcher(), box_, floor_);
+  pair.SetPoses(At(0, 0, 0.199), At(0, 0, -1));
+  EXPECT_EQ(pair.Step().size(), 4U);
+  pair.SetPoses(At(0, 0, 0.3), At(0, 0, -1));
+  EXPECT_TRUE(pair.Step().empty());
+  EXPECT_EQ(pair.manifold()->getNumContacts(), 0);
+}
+
+TEST_F(ManifoldContent, StalePoints_AreDroppedWhenTheBodySlides) {
+  PairQuery pair(dispatching_.dispatcher(), box_, box_);
+  for (const double x : {0.0, 0.1, 0.25, 0.5, -0.4}) {
+    pair.SetPoses(At(x, 0.05, 0.399), At(0, 0, 0));
+    const std::vector<Contact> contacts = pair.Step();
+    EXPECT_EQ(contacts.size(), 4U);
+    ExpectNothingStale(pair, contacts);
+  }
+}
+
+// A body that jumps to the other side of its partner between two steps.
+TEST_F(ManifoldContent, StalePoints_AreDroppedWhenTheNormalTurnsRound) {
+  PairQuery pair(dispatching_.dispatcher(), box_, box_);
+  for (const double z : {0.399, -0.399, 0.399}) {
+    pair.SetPoses(At(0, 0, z), At(0, 0, 0));
+    const std::vector<Contact> contacts = pair.Step();
+    ASSERT_EQ(contacts.size(), 4U);
+    EXPECT_NEAR(contacts[0].normal_b_to_a.z(), z > 0 ? 1 : -1, 1e-5);
+    ExpectNothingStale(pair, contacts);
+  }
+}
+
+TEST(ManifoldContentWithoutPatch, OnePointAStep) {
+  dgd_bullet::Options options;
+  options.contact_patch = false;
+  Dispatching dispatching(Route::kConfiguration, options);
+  btBoxShape box(Vec(0.5, 0.3, 0.2)), floor(Vec(5, 5, 1));
+  PairQuery pair(dispatching.dispatcher(), box, floor);
+  for (int step = 1; step <= 8; ++step) {
+    // Rocks so that another corner is the deepest each time: Bullet's cache fills up to four.
+    pair.SetPoses(Turned({std::cos(step * kPi / 2 + 0.4), std::sin(step * kPi / 2 + 0.4), 0}, 0.003, {0, 0, 0.199}),
+                  At(0, 0, -1));
+    EXPECT_EQ(pair.Step().size(), 1U);
+    EXPECT_GE(pair.manifold()->getNumContacts(), std::min(step, 4));
+    EXPECT_LE(pair.manifold()->getNumContacts(), 4);
+  }
+}
+
+// Swapping the bodies flips the normal; depth and points stay, the point on B for that on A.
+TEST_F(ManifoldContent, SwappedBodies_SamePatchSeenFromTheOtherSide) {
+  const std::vector<ZooShape> zoo = MakeShapeZoo(1);
+  for (const ZooShape& a : zoo) {
+    for (const ZooShape& b : zoo) {
+      SCOPED_TRACE(a.name + " on " + b.name);
+      Random random(TestSeed());
+      const btTransform pose_a = MakeTransform(random.Rotation(), random.InCube());
+      const Eigen::Matrix3d rotation_b = random.Rotation();
+      Vector position_b = ToEigen(pose_a.getOrigin()) + 5 * random.UnitVector();
+      PairQuery straight(dispatching_.dispatcher(), *a.shape, *b.shape);
+      PairQuery swapped(dispatching_.dispatcher(), *b.shape, *a.shape);
+      straight.SetPoses(pose_a, MakeTransform(rotation_b, position_b));
+      const SignedDistance far = DistanceOfShapes(straight.A(), straight.B());
+      position_b += (far.value + 0.001) * far.normal_b_to_a;  // 1 mm of overlap.
+      straight.SetPoses(pose_a, MakeTransform(rotation_b, position_b));
+      swapped.SetPoses(MakeTransform(rotation_b, position_b), pose_a);
+      const std::vector<Contact> contacts = straight.Step(), mirrored = swapped.Step();
+      ASSERT_EQ(contacts.size(), mirrored.size());
+      // Curved shapes stop within the solver's tolerance, and Bullet's own support functions within their rounding.
+      constexpr double kAngle = 1e-3, kPlace = 1e-3, kDepth = 2e-5;
+      for (const Contact& contact : contacts) {
+        const auto nearest = std::min_element(mirrored.begin(), mirrored.end(), [&](const Contact& x, const Contact& y) {
+          return (x.on_b - contact.OnA()).norm() < (y.on_b - contact.OnA()).norm();
+        });
+        EXPECT_LE((nearest->on_b - contact.OnA()).norm(), kPlace);
+        EXPECT_LE((nearest->OnA() - contact.on_b).norm(), kPlace);
+        EXPECT_LE((nearest->normal_b_to_a + contact.normal_b_to_a).norm(), kAngle);
+        EXPECT_NEAR(nearest->depth, contact.depth, kDepth);
+      }
+      if (HasFailure()) break;
+    }
+  }
+}
+
+// Two stacked copies of a shape share every vertex and edge seen from above: the clipping meets nothing but ties. The
+// prisms' vertices are rounded, so that their many short edges are parallel only nearly.
+TEST_F(ManifoldContent, AlignedPrisms_FourPointsWithinTheFace) {
+  for (const int sides : {3, 4, 5, 8, 12, 16, 17, 24, 40}) {
+    SCOPED_TRACE(sides);
+    const auto prism = MakePrism(sides, 0.5, 0.2);
+    const double gap = 2 * double(prism->getMargin());
+    for (const double turn : {0.0, 1e-9, 1e-6, kPi / sides}) {
+      PairQuery pair(dispatching_.dispatcher(), *prism, *prism);
+      pair.SetPoses(Turned(Vector::UnitZ(), turn, {0, 0, 0.4 + gap - 0.001}), At(0, 0, 0));
+      const std::vector<Contact> contacts = pair.Step();
+      EXPECT_GE(contacts.size(), 3U);
+      for (const Contact& contact : contacts) {
+        EXPECT_NEAR(contact.depth, -0.001, kLength);
+        EXPECT_LE(contact.on_b.head<2>().norm(), 0.5 + kLength);
+      }
+      // Two opposed triangles have a hexagon of half their size in common.
+      EXPECT_GE(Span(contacts).minCoeff(), 0.28);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dgd_test

@@ -1,0 +1,87 @@
+// A dispatcher with the narrowphase under test, and a world around it.
+#pragma once
+
+#include <btBulletDynamicsCommon.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dgd_bullet/collision_configuration.h"
+#include "dgd_bullet/register.h"
+#include "plugin/bullet_oracle.h"
+
+namespace dgd_test {
+
+/// How a dispatcher gets its narrowphase.
+enum class Route { kConfiguration, kRegister, kBuiltin };
+std::string Name(Route route);
+
+inline btVector3 Vec(double x, double y, double z) { return {btScalar(x), btScalar(y), btScalar(z)}; }
+
+/// Configuration and dispatcher in one.
+class Dispatching {
+ public:
+  explicit Dispatching(Route route, const dgd_bullet::Options& options = {});
+
+  btCollisionDispatcher& dispatcher() { return *dispatcher_; }
+  btDefaultCollisionConfiguration& configuration() { return *configuration_; }
+  dgd_bullet::Statistics statistics() const;
+
+ private:
+  std::unique_ptr<btDefaultCollisionConfiguration> configuration_;
+  std::unique_ptr<btCollisionDispatcher> dispatcher_;
+  const dgd_bullet::CollisionConfiguration* ours_ = nullptr;
+  const dgd_bullet::Narrowphase* registered_ = nullptr;
+};
+
+/// A world that owns its bodies; z is up. Shapes are the world's too, from Make() or Keep(), or outlive it.
+class TestWorld {
+ public:
+  static constexpr double kTimeStep = 1.0 / 240;
+
+  explicit TestWorld(Route route, const dgd_bullet::Options& options = {});
+  ~TestWorld();
+  TestWorld(const TestWorld&) = delete;
+  TestWorld& operator=(const TestWorld&) = delete;
+
+  /// @param mass  0 for a static body.
+  btRigidBody& Add(btCollisionShape& shape, double mass, const btTransform& pose);
+  btRigidBody& Add(btCollisionShape& shape, double mass, const btVector3& position);
+  /// A static box whose top is the plane z = 0.
+  btRigidBody& AddGround(double half_width = 10);
+  /// Holds a shape, or what a shape refers to, as long as the bodies.
+  template <class T>
+  T& Keep(std::shared_ptr<T> kept) {
+    T& reference = *kept;
+    kept_.emplace_back(std::move(kept));
+    return reference;
+  }
+  template <class T, class... Arguments>
+  T& Make(Arguments&&... arguments) {
+    return Keep(std::make_shared<T>(std::forward<Arguments>(arguments)...));
+  }
+
+  void Simulate(double seconds);
+  /// One collision detection without motion.
+  void Detect() { world_.performDiscreteCollisionDetection(); }
+
+  btDiscreteDynamicsWorld& world() { return world_; }
+  btCollisionDispatcher& dispatcher() { return dispatching_.dispatcher(); }
+  dgd_bullet::Statistics statistics() const { return dispatching_.statistics(); }
+  /// All contact points of all manifolds.
+  std::vector<btManifoldPoint> Points();
+
+ private:
+  std::vector<std::shared_ptr<void>> kept_;
+  Dispatching dispatching_;
+  btDbvtBroadphase broadphase_;
+  btSequentialImpulseConstraintSolver solver_;
+  btDiscreteDynamicsWorld world_;
+  std::vector<std::unique_ptr<btRigidBody>> bodies_;
+};
+
+/// Whether all twelve numbers are finite.
+bool IsFinite(const btTransform& transform);
+
+}  // namespace dgd_test
