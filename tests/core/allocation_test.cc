@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <new>
 
-#include "support/random_sets.h"
 #include "support/any_set.h"
+#include "support/random_sets.h"
 
 namespace {
 std::atomic<long> allocations{0};
@@ -65,8 +65,7 @@ void CountInQueries() {
   for (const CoreType type_1 : kCoreTypes) {
     for (const CoreType type_2 : kCoreTypes) {
       for (int rounded = 0; rounded < 4; ++rounded) {
-        const ReferencePair reference =
-            RandomPair(random, type_1, (rounded & 1) != 0, type_2, (rounded & 2) != 0);
+        const ReferencePair reference = RandomPair(random, type_1, (rounded & 1) != 0, type_2, (rounded & 2) != 0);
         const SolverPair<S> pair(reference);
         dgd::WarmStart<S> warm_start;
         const long before = allocations;

@@ -122,8 +122,7 @@ void CheckBall(const ConvexHull& hull, const Points& points, double tolerance) {
   ASSERT_GE(hull.inradius, 0);
   Random random(3);
   for (int i = 0; i < 300; ++i) {
-    const Vector3d direction =
-        i < FacetCount(hull) ? hull.normals[static_cast<std::size_t>(i)] : random.UnitVector();
+    const Vector3d direction = i < FacetCount(hull) ? hull.normals[static_cast<std::size_t>(i)] : random.UnitVector();
     double height = -std::numeric_limits<double>::infinity();
     for (const Vector3d& point : points) height = std::max(height, direction.dot(point - hull.center));
     EXPECT_GE(height, hull.inradius - tolerance);
@@ -148,9 +147,9 @@ ConvexHull CheckSolid(const Points& points) {
 TEST(ConvexHull, CubeWithExtraPoints_HasEightVerticesAndSixSquares) {
   Points points = Cube();
   Random random(TestSeed());
-  for (int i = 0; i < 30; ++i) points.push_back(random.InCube());  // Inside.
+  for (int i = 0; i < 30; ++i) points.push_back(random.InCube());                     // Inside.
   for (int i = 0; i < 8; ++i) points.push_back(points[static_cast<std::size_t>(i)]);  // Again.
-  for (int i = 0; i < 12; ++i) {  // On the faces and edges.
+  for (int i = 0; i < 12; ++i) {                                                      // On the faces and edges.
     Vector3d on_face = random.InCube();
     on_face[i % 3] = i < 6 ? 1 : -1;
     points.push_back(on_face);
@@ -276,7 +275,8 @@ TEST(ConvexHull, CollinearPoints_MakeASegment) {
     const ConvexHull hull = BuildConvexHull(points);
     EXPECT_EQ(hull.dimension, 1);
     ASSERT_EQ(hull.vertices.size(), 2U);
-    EXPECT_EQ(std::set<double>({(hull.vertices[0] - points[1]).norm(), (hull.vertices[0] - points[3]).norm()}).count(0), 1U);
+    EXPECT_EQ(std::set<double>({(hull.vertices[0] - points[1]).norm(), (hull.vertices[0] - points[3]).norm()}).count(0),
+              1U);
     EXPECT_NEAR((hull.vertices[0] - hull.vertices[1]).norm(), 3, 1e-14);
     EXPECT_NEAR((hull.center - (origin + 0.5 * direction)).norm(), 0, 1e-14);
     EXPECT_EQ(hull.inradius, 0);

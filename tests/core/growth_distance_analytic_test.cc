@@ -9,8 +9,8 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <string>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "support/checks.h"
@@ -33,9 +33,7 @@ struct Feature {
 
 std::vector<Vector3d> Octahedron() { return {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}; }
 
-std::vector<Vector3d> Cube() {
-  return WorldVertices({.type = CoreType::kBox, .size = {1, 1, 1}}, {});
-}
+std::vector<Vector3d> Cube() { return WorldVertices({.type = CoreType::kBox, .size = {1, 1, 1}}, {}); }
 
 std::vector<Feature> Features() {
   const ReferenceSet point{.type = CoreType::kPoint};
@@ -193,8 +191,7 @@ TYPED_TEST(GrowthDistanceAnalytic, SphereAndBox_FaceEdgeCorner) {
     this->Check(At(box, Sphere(0.5), scale * Vector3d(0.25, -0.75, 1.5)), growth_distance, {0, 0, 1});
     // On the offset edge and corner: the box's feature plus the radius along its bisector.
     const Vector3d edge_normal = Vector3d(1, 1, 0) / std::sqrt(2.0);
-    this->Check(At(box, Sphere(0.5), scale * (Vector3d(1, 1, 0.25) + 0.5 * edge_normal)), growth_distance,
-                edge_normal);
+    this->Check(At(box, Sphere(0.5), scale * (Vector3d(1, 1, 0.25) + 0.5 * edge_normal)), growth_distance, edge_normal);
     const Vector3d corner_normal = Vector3d(1, 2, 2) / 3;
     this->Check(At(box, Sphere(0.5), scale * (Vector3d(1, 1, 1) + 0.5 * corner_normal)), growth_distance,
                 corner_normal);
@@ -264,8 +261,8 @@ TYPED_TEST(GrowthDistanceAnalytic, SphereAndFlatCores_BeyondTheirBorders) {
     // Out of the corner (2, -1, 0), within the cone of directions that are its own.
     const double tilt = random.Uniform(-1.5, 1.5);
     const Vector3d normal = std::cos(tilt) * Vector3d(2, -1, 0).normalized() + std::sin(tilt) * Vector3d::UnitZ();
-    this->Check(At(triangle, Sphere(radius), growth_distance * (Vector3d(2, -1, 0) + radius * normal)),
-                growth_distance, normal);
+    this->Check(At(triangle, Sphere(radius), growth_distance * (Vector3d(2, -1, 0) + radius * normal)), growth_distance,
+                normal);
     const ReferenceSet segment{.type = CoreType::kSegment, .size = {1.5, 0, 0}};
     const Vector3d along = std::cos(tilt) * Vector3d(0, 0.6, 0.8) + std::sin(tilt) * Vector3d::UnitX();
     const Vector3d out = along.z() > 0 ? along : Vector3d(-along);

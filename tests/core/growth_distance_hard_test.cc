@@ -80,7 +80,8 @@ TYPED_TEST(GrowthDistanceHard, AlignedBoxes_EveryRelativePlace) {
             const double expected = where.cwiseAbs().cwiseQuotient(half_1 + half_2).maxCoeff();
             // The same pair in another orientation each time, as boxes and as hulls.
             const Matrix3d& turned = rotations[turn++ % rotations.size()];
-            const ReferencePair boxes{BoxOf(half_1), BoxOf(half_2), {turned, Vector3d::Zero()}, {turned, turned * where}};
+            const ReferencePair boxes{
+                BoxOf(half_1), BoxOf(half_2), {turned, Vector3d::Zero()}, {turned, turned * where}};
             this->ExpectSolved(boxes, expected);
             this->ExpectSolved({HullOf(boxes.set_1), boxes.set_2, boxes.pose_1, boxes.pose_2}, expected);
             this->ExpectSolved({HullOf(boxes.set_1), HullOf(boxes.set_2), boxes.pose_1, boxes.pose_2}, expected);
@@ -140,7 +141,12 @@ std::vector<Vector3d> Prism(int sides) {
 
 // Symmetric solids, the ray through their vertices, the middles of their edges and of their faces; against the LP.
 TYPED_TEST(GrowthDistanceHard, SymmetricSolids_RayThroughEveryFeature) {
-  std::vector<std::vector<Vector3d>> solids = {Icosahedron(), Prism(3), Prism(4), Prism(6), Prism(17), Prism(64),
+  std::vector<std::vector<Vector3d>> solids = {Icosahedron(),
+                                               Prism(3),
+                                               Prism(4),
+                                               Prism(6),
+                                               Prism(17),
+                                               Prism(64),
                                                WorldVertices(BoxOf({1, 1, 1}), {}),
                                                {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
                                                {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}};
@@ -173,8 +179,8 @@ TYPED_TEST(GrowthDistanceHard, SymmetricSolids_RayThroughEveryFeature) {
   }
 }
 
-// Axes that meet, are parallel, or orthogonal: ray, axes and the contact in one plane, where curved cores give triangles
-// with an edge on the ray.
+// Axes that meet, are parallel, or orthogonal: ray, axes and the contact in one plane, where curved cores give
+// triangles with an edge on the ray.
 TYPED_TEST(GrowthDistanceHard, CurvedCores_InSymmetricPlaces) {
   const ReferenceSet sets[] = {{.type = CoreType::kPoint},
                                {.type = CoreType::kPoint, .radius = 0.5},
@@ -212,8 +218,9 @@ TYPED_TEST(GrowthDistanceHard, CurvedCores_InSymmetricPlaces) {
   }
 }
 
-// A ray that meets a cone in the plane through its axis crosses the line from the apex to the rim: every triangle of the
-// inner approximation has an edge on the ray. First found by the random pairs; Point-Cone stalled with a gap of 0.4.
+// A ray that meets a cone in the plane through its axis crosses the line from the apex to the rim: every triangle of
+// the inner approximation has an edge on the ray. First found by the random pairs; Point-Cone stalled with a gap of
+// 0.4.
 TEST(GrowthDistance, PointAndCone_DoesNotStallOnTheSlantLine) {
   ReferencePair pair{{.type = CoreType::kPoint},
                      {.type = CoreType::kCone, .size = {0.58881347170360843, 0.66437374235668212, 0}},
@@ -332,16 +339,19 @@ TYPED_TEST(GrowthDistanceHard, ExactTouch_OfVerticesEdgesAndFaces) {
   const Matrix3d on_edge = Eigen::AngleAxisd(std::numbers::pi / 4, Vector3d::UnitX()).toRotationMatrix();
   const Matrix3d on_vertex =
       Eigen::Quaterniond::FromTwoVectors(Vector3d(1, 1, 1) / root_3, Vector3d::UnitZ()).toRotationMatrix();
-  const std::pair<Matrix3d, double> stands[] = {{Matrix3d::Identity(), 0.5}, {on_edge, root_2 / 2}, {on_vertex, root_3 / 2}};
+  const std::pair<Matrix3d, double> stands[] = {
+      {Matrix3d::Identity(), 0.5}, {on_edge, root_2 / 2}, {on_vertex, root_3 / 2}};
   const Matrix3d quarter = AxisRotations()[4];
   for (const auto& [rotation_1, height_1] : stands) {
     for (const auto& [rotation_2, height_2] : stands) {
       for (const Matrix3d& turn : {Matrix3d(Matrix3d::Identity()), quarter}) {
         for (const bool hulls : {false, true}) {
           for (const double radius : {0.0, 0.04}) {
-            ReferencePair pair{cube, cube, {turn * rotation_1, turn * Vector3d(0, 0, -height_1)},
+            ReferencePair pair{cube,
+                               cube,
+                               {turn * rotation_1, turn * Vector3d(0, 0, -height_1)},
                                {turn * rotation_2, turn * Vector3d(0, 0, height_2 + 2 * radius)}};
-                    pair.set_1.radius = pair.set_2.radius = radius;
+            pair.set_1.radius = pair.set_2.radius = radius;
             if (hulls) pair.set_1 = HullOf(pair.set_1), pair.set_2 = HullOf(pair.set_2);
             this->ExpectSolved(pair, 1);
             const dgd::CollisionResult<S> collision = SolverPair<S>(pair).DetectCollision();

@@ -80,10 +80,10 @@ TEST(GrowthDistance, RigidMotion_ChangesNothing) {
 
 /// Every number of a result, to be compared bit by bit.
 std::vector<double> Numbers(const dgd::Result<double>& r, double unit) {
-  return {double(r.status),        double(r.iterations),    r.lower_bound,           r.upper_bound,
-          r.separation / unit,     r.normal.x(),            r.normal.y(),            r.normal.z(),
-          r.witness_1.x() / unit,  r.witness_1.y() / unit,  r.witness_1.z() / unit,  r.witness_2.x() / unit,
-          r.witness_2.y() / unit,  r.witness_2.z() / unit};
+  return {double(r.status),       double(r.iterations),   r.lower_bound,          r.upper_bound,
+          r.separation / unit,    r.normal.x(),           r.normal.y(),           r.normal.z(),
+          r.witness_1.x() / unit, r.witness_1.y() / unit, r.witness_1.z() / unit, r.witness_2.x() / unit,
+          r.witness_2.y() / unit, r.witness_2.z() / unit};
 }
 
 // A power of two scales every rounding along, so that a tolerance hidden in metres would be the only difference.

@@ -32,9 +32,7 @@ double ByLp(const ReferencePair& reference, const SolverPair<double>& pair) {
 }
 
 TEST(LpOracle, KnownAnswers) {
-  const auto box = [](double half) {
-    return WorldVertices({.type = CoreType::kBox, .size = {half, half, half}}, {});
-  };
+  const auto box = [](double half) { return WorldVertices({.type = CoreType::kBox, .size = {half, half, half}}, {}); };
   auto moved = box(0.5);
   for (Eigen::Vector3d& vertex : moved) vertex += Eigen::Vector3d(3, 0.25, 0);
   EXPECT_NEAR(GrowthDistanceByLp(box(1), {0, 0, 0}, moved, {3, 0.25, 0}), 2, 1e-14);

@@ -104,7 +104,8 @@ TEST(WarmStart, ArbitraryState_DoesNoHarm) {
     for (std::size_t k = 0; k < 3; ++k) {
       const int range = random.Flip() ? 3 : 40;
       warm_start.vertices_1[k] = static_cast<dgd::VertexId>(random.Below(range));
-      warm_start.vertices_2[k] = random.Below(10) == 0 ? dgd::kNoVertex : static_cast<dgd::VertexId>(random.Below(range));
+      warm_start.vertices_2[k] =
+          random.Below(10) == 0 ? dgd::kNoVertex : static_cast<dgd::VertexId>(random.Below(range));
     }
     ASSERT_TRUE(IsCertified<double>(reference, pair, pair.GrowthDistance({}, &warm_start)));
   }
@@ -117,8 +118,12 @@ TEST(WarmStart, CorruptNormal_DoesNoHarm) {
   for (int i = 0; i < TestCount(2000); ++i) {
     const ReferencePair reference = RandomPairOfAnyType(random);
     const SolverPair<double> pair(reference);
-    const Eigen::Vector3d normals[] = {{nan, nan, nan}, {infinity, 0, 0}, {1, nan, 1}, 1e3 * random.UnitVector(),
-                                       1e-3 * random.UnitVector(), 1e-200 * random.UnitVector(),
+    const Eigen::Vector3d normals[] = {{nan, nan, nan},
+                                       {infinity, 0, 0},
+                                       {1, nan, 1},
+                                       1e3 * random.UnitVector(),
+                                       1e-3 * random.UnitVector(),
+                                       1e-200 * random.UnitVector(),
                                        1e200 * random.UnitVector()};
     for (const Eigen::Vector3d& normal : normals) {
       dgd::WarmStart<double> warm_start;

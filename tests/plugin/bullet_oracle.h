@@ -32,8 +32,8 @@ double PlaneSeparation(const PosedConvex& a, const PosedConvex& b, const Vector&
 
 /// Distance of two cores with what is known of it. Zero where they overlap.
 struct CoreDistance {
-  double upper = 0;         ///< Of two points of the cores.
-  double lower = 0;         ///< Proven by the supporting planes along `normal`.
+  double upper = 0;               ///< Of two points of the cores.
+  double lower = 0;               ///< Proven by the supporting planes along `normal`.
   Vector normal_b_to_a{0, 0, 0};  ///< Unit, or zero where the cores overlap.
 };
 CoreDistance DistanceOfCores(const PosedConvex& a, const PosedConvex& b);

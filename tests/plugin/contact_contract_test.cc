@@ -263,7 +263,8 @@ TEST_F(ClosedForm, SphereOnBoxEdgeAndCorner) {
 TEST_F(ClosedForm, SphereOnCapsule) {
   const Vector side = Vector(0, 3, 4) / 5, end = Vector(2, 1, 2) / 3;
   for (const double depth : {-0.002, 0.0, 0.004}) {
-    ExpectContact(ball_, Vector(0.3, 0, 0) + (0.45 + depth) * side, capsule_, depth, side, Vector(0.3, 0, 0) + 0.2 * side);
+    ExpectContact(ball_, Vector(0.3, 0, 0) + (0.45 + depth) * side, capsule_, depth, side,
+                  Vector(0.3, 0, 0) + 0.2 * side);
     ExpectContact(ball_, Vector(0.5, 0, 0) + (0.45 + depth) * end, capsule_, depth, end, Vector(0.5, 0, 0) + 0.2 * end);
   }
 }
@@ -288,8 +289,8 @@ TEST_F(ClosedForm, BoxCornerOnBoxFace) {
   }
 }
 
-// A sphere's deepest point lies on the line through its centre along the normal: elsewhere, the contact would spin it and
-// stop only a part of its motion.
+// A sphere's deepest point lies on the line through its centre along the normal: elsewhere, the contact would spin it
+// and stop only a part of its motion.
 TEST_F(ClosedForm, SphereOnAnything_ContactIsOnTheLineThroughItsCentre) {
   Random random(TestSeed());
   for (const ZooShape& shape : MakeShapeZoo(kSize)) {

@@ -1,5 +1,5 @@
-// Hard input: pairs without a growth distance go to Bullet's own algorithm, and are counted; what is no shape or no pose
-// must not crash nor write NaN; flat, tiny, coincident and changed shapes need no fallback at all.
+// Hard input: pairs without a growth distance go to Bullet's own algorithm, and are counted; what is no shape or no
+// pose must not crash nor write NaN; flat, tiny, coincident and changed shapes need no fallback at all.
 #include <BulletCollision/CollisionShapes/btConvexPointCloudShape.h>
 #include <BulletCollision/CollisionShapes/btConvexTriangleMeshShape.h>
 #include <BulletCollision/CollisionShapes/btMultiSphereShape.h>
@@ -107,7 +107,8 @@ TEST_F(Fallback, TwoFlatTriangles_FallBackInClosestPointQueriesToo) {
 
 // One margin between the two, or one solid, is enough.
 TEST_F(Fallback, OneFlatShape_NeedsNoFallback) {
-  btTriangleShape flat(Vec(-1, -1, 0), Vec(1, -1, 0), Vec(0, 1, 0)), rounded(Vec(-1, -1, 0), Vec(1, -1, 0), Vec(0, 1, 0));
+  btTriangleShape flat(Vec(-1, -1, 0), Vec(1, -1, 0), Vec(0, 1, 0)),
+      rounded(Vec(-1, -1, 0), Vec(1, -1, 0), Vec(0, 1, 0));
   flat.setMargin(0);
   btBoxShape sharp(Vec(0.5, 0.5, 0.5));
   sharp.setMargin(0);
@@ -158,8 +159,8 @@ TEST_F(InvalidPose, NaNOrInfinity_WritesNothingBadAndNaNIsCounted) {
     for (const btScalar bad : {kNaN, kInfinity, -kInfinity}) {
       for (const bool in_rotation : {false, true}) {
         for (const bool of_a : {false, true}) {
-          SCOPED_TRACE(std::string(shape->getName()) + " " + std::to_string(bad) + (in_rotation ? " rotation" : " origin") +
-                       (of_a ? " of A" : " of B"));
+          SCOPED_TRACE(std::string(shape->getName()) + " " + std::to_string(bad) +
+                       (in_rotation ? " rotation" : " origin") + (of_a ? " of A" : " of B"));
           btTransform broken = of_a ? good : btTransform::getIdentity();
           if (in_rotation) {
             broken.getBasis()[1].setX(bad);
@@ -167,8 +168,7 @@ TEST_F(InvalidPose, NaNOrInfinity_WritesNothingBadAndNaNIsCounted) {
             broken.getOrigin().setZ(bad);
           }
           ExpectNothingBad(
-              pair,
-              [&] { of_a ? pair.SetPoses(broken, btTransform::getIdentity()) : pair.SetPoses(good, broken); },
+              pair, [&] { of_a ? pair.SetPoses(broken, btTransform::getIdentity()) : pair.SetPoses(good, broken); },
               [&] { pair.SetPoses(good, btTransform::getIdentity()); });
           if (std::isnan(bad)) steps_with_nan += 4;
           if (HasFailure()) return;
@@ -263,8 +263,8 @@ TEST_F(Fallback, TooFewIterations_AreCountedAsNotConverged) {
   const auto hull = MakePrism(7, 0.4, 0.3);
   btBoxShape box(Vec(0.5, 0.5, 0.5));
   PairQuery pair(hurried.dispatcher(), *hull, box), bullets(builtin_.dispatcher(), *hull, box);
-  const btTransform pose = MakeTransform(Eigen::AngleAxisd(0.3, Vector(1, 2, 3).normalized()).toRotationMatrix(),
-                                         {0.25, 0.2, 0.75});
+  const btTransform pose =
+      MakeTransform(Eigen::AngleAxisd(0.3, Vector(1, 2, 3).normalized()).toRotationMatrix(), {0.25, 0.2, 0.75});
   for (PairQuery* each : {&pair, &bullets}) each->SetPoses(pose, btTransform::getIdentity());
   const std::vector<Contact> contacts = pair.Step(), expected = bullets.Step();
   EXPECT_EQ(hurried.statistics().fallbacks_not_converged, 1U);

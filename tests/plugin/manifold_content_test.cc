@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 
@@ -286,9 +285,10 @@ TEST_F(ManifoldContent, SwappedBodies_SamePatchSeenFromTheOtherSide) {
       // Curved shapes stop within the solver's tolerance, and Bullet's own support functions within their rounding.
       constexpr double kAngle = 1e-3, kPlace = 1e-3, kDepth = 2e-5;
       for (const Contact& contact : contacts) {
-        const auto nearest = std::min_element(mirrored.begin(), mirrored.end(), [&](const Contact& x, const Contact& y) {
-          return (x.on_b - contact.OnA()).norm() < (y.on_b - contact.OnA()).norm();
-        });
+        const auto nearest =
+            std::min_element(mirrored.begin(), mirrored.end(), [&](const Contact& x, const Contact& y) {
+              return (x.on_b - contact.OnA()).norm() < (y.on_b - contact.OnA()).norm();
+            });
         EXPECT_LE((nearest->on_b - contact.OnA()).norm(), kPlace);
         EXPECT_LE((nearest->OnA() - contact.on_b).norm(), kPlace);
         EXPECT_LE((nearest->normal_b_to_a + contact.normal_b_to_a).norm(), kAngle);

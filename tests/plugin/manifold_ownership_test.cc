@@ -230,8 +230,7 @@ TEST_P(AlgorithmPool, NeighboursDoNotOverrunEachOther) {
   EXPECT_EQ(dispatcher.getNumManifolds(), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sizes, AlgorithmPool, testing::Values(184, 192, 248, 280),
-                         testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Sizes, AlgorithmPool, testing::Values(184, 192, 248, 280), testing::PrintToStringParamName());
 
 // A new pair takes the slot of one that is gone, and nothing of its state: other shapes, other hull, other normal.
 TEST_F(ManifoldOwnership, Slot_IsReusedWithoutItsPast) {

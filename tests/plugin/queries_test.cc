@@ -95,8 +95,8 @@ TEST_P(ContactQueries, PairTest_AWideThresholdCostsNoAccuracy) {
       const std::vector<Contact> contacts = PairTest(a, b, threshold);
       ASSERT_FALSE(contacts.empty());
       const Contact& deepest = Deepest(contacts);
-      const double separation = PlaneSeparation({*hull, a.getWorldTransform()}, {box, b.getWorldTransform()},
-                                                deepest.normal_b_to_a);
+      const double separation =
+          PlaneSeparation({*hull, a.getWorldTransform()}, {box, b.getWorldTransform()}, deepest.normal_b_to_a);
       EXPECT_NEAR(deepest.depth, separation, 3e-5);
       EXPECT_NEAR(Outside({box, b.getWorldTransform()}, deepest.on_b), 0, 1e-4);
     }

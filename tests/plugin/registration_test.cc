@@ -195,8 +195,8 @@ TEST(Registration, OptionsOutOfRange_AreRefusedByValue) {
   };
   dgd_bullet::Options options;
   EXPECT_EQ(message(options), "no exception");
-  for (const double tolerance : {0.0, -1e-8, 1.0, 2.0, std::numeric_limits<double>::quiet_NaN(),
-                                 std::numeric_limits<double>::infinity()}) {
+  for (const double tolerance :
+       {0.0, -1e-8, 1.0, 2.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     options.relative_tolerance = tolerance;
     const std::string text = message(options);
     EXPECT_NE(text.find("relative_tolerance"), std::string::npos) << text;

@@ -44,9 +44,7 @@ class Zookeeper {
   Shape& Make(const char* name, bool is_smooth, Arguments&&... arguments) {
     return Add(name, std::make_shared<Shape>(std::forward<Arguments>(arguments)...), is_smooth);
   }
-  btVector3 Vec(double x, double y, double z) const {
-    return u_ * btVector3(btScalar(x), btScalar(y), btScalar(z));
-  }
+  btVector3 Vec(double x, double y, double z) const { return u_ * btVector3(btScalar(x), btScalar(y), btScalar(z)); }
   btScalar Len(double length) const { return u_ * btScalar(length); }
   void KeepAlive(std::shared_ptr<void> resource) { zoo_.back().kept_alive.push_back(std::move(resource)); }
 
@@ -183,8 +181,7 @@ void Ellipsoid::batchedUnitVectorGetSupportingVertexWithoutMargin(const btVector
 
 void Ellipsoid::calculateLocalInertia(btScalar mass, btVector3& inertia) const {
   const btVector3 squares = half_axes_ * half_axes_;
-  inertia = mass / 5 *
-            btVector3(squares.y() + squares.z(), squares.z() + squares.x(), squares.x() + squares.y());
+  inertia = mass / 5 * btVector3(squares.y() + squares.z(), squares.z() + squares.x(), squares.x() + squares.y());
 }
 
 }  // namespace dgd_test

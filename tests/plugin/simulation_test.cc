@@ -103,8 +103,9 @@ TEST_P(Simulation, TumblingBodies_EndAtRestOnTheGround) {
     // A triangle has no inertia, and Bullet has no bounding box for a Minkowski sum's child transforms.
     if (shape.name == "Triangle" || shape.name == "MinkowskiSum") continue;
     const auto place = static_cast<double>(bodies.size());
-    bodies.push_back(&world_.Add(*shape.shape, 1, MakeTransform(random.Rotation(), {std::fmod(place, 5) * 2 - 4,
-                                                                                   std::floor(place / 5) * 2 - 4, 1})));
+    bodies.push_back(
+        &world_.Add(*shape.shape, 1,
+                    MakeTransform(random.Rotation(), {std::fmod(place, 5) * 2 - 4, std::floor(place / 5) * 2 - 4, 1})));
     bodies.back()->setRollingFriction(btScalar(0.02));
     bodies.back()->setSpinningFriction(btScalar(0.02));
     shapes.push_back(&shape);
@@ -230,7 +231,8 @@ TEST_P(BesideBuiltin, BodyFlyingPast_IsNotDeflected) {
           ball.setLinearVelocity(Vec(speed, 0, 0));
           world->Simulate(2 * (half_length + 3) / speed);
           EXPECT_LE(double((ball.getLinearVelocity() - Vec(speed, 0, 0)).length()), 1e-4 * speed)
-              << speed << " m/s, phase " << phase << ", " << clearance << " m above a block of half length " << half_length;
+              << speed << " m/s, phase " << phase << ", " << clearance << " m above a block of half length "
+              << half_length;
         }
       }
     }

@@ -76,7 +76,8 @@ std::vector<btManifoldPoint> TestWorld::Points() {
 
 bool IsFinite(const btTransform& transform) {
   btScalar sum = 0;
-  for (int row = 0; row < 3; ++row) sum += transform.getBasis()[row].dot(btVector3(1, 1, 1)) + transform.getOrigin()[row];
+  for (int row = 0; row < 3; ++row)
+    sum += transform.getBasis()[row].dot(btVector3(1, 1, 1)) + transform.getOrigin()[row];
   return std::isfinite(sum);
 }
 

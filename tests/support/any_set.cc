@@ -14,9 +14,8 @@ AnySet<S> MakeSet(const ReferenceSet& set) {
     case CoreType::kSegment:
       return dgd::RoundedSet{dgd::Segment<S>(size[0]), radius};
     case CoreType::kTriangle:
-      return dgd::RoundedSet{dgd::Triangle<S>(set.points.at(0).cast<S>(), set.points.at(1).cast<S>(),
-                                              set.points.at(2).cast<S>()),
-                             radius};
+      return dgd::RoundedSet{
+          dgd::Triangle<S>(set.points.at(0).cast<S>(), set.points.at(1).cast<S>(), set.points.at(2).cast<S>()), radius};
     case CoreType::kBox:
       return dgd::RoundedSet{dgd::Box<S>(size), radius};
     case CoreType::kCylinder:

@@ -18,10 +18,10 @@
 namespace dgd_test {
 
 template <class S>
-using AnySet = std::variant<dgd::RoundedSet<dgd::Point<S>>, dgd::RoundedSet<dgd::Segment<S>>,
-                            dgd::RoundedSet<dgd::Triangle<S>>, dgd::RoundedSet<dgd::Box<S>>,
-                            dgd::RoundedSet<dgd::Cylinder<S>>, dgd::RoundedSet<dgd::Cone<S>>,
-                            dgd::RoundedSet<dgd::Polytope<S>>>;
+using AnySet =
+    std::variant<dgd::RoundedSet<dgd::Point<S>>, dgd::RoundedSet<dgd::Segment<S>>, dgd::RoundedSet<dgd::Triangle<S>>,
+                 dgd::RoundedSet<dgd::Box<S>>, dgd::RoundedSet<dgd::Cylinder<S>>, dgd::RoundedSet<dgd::Cone<S>>,
+                 dgd::RoundedSet<dgd::Polytope<S>>>;
 
 template <class S>
 AnySet<S> MakeSet(const ReferenceSet& set);

@@ -68,12 +68,11 @@ template <class S>
   const double infeasibility_bound = Bounds<S>::Infeasibility(pair, extent, growth_distance);
   const double separation_bound = Bounds<S>::SeparationError(pair, extent);
   const double separation = reference.SeparationAlong(result.normal.template cast<double>().normalized());
-  const bool certified = result.status == dgd::Status::kOptimal && IsFiniteAndOrdered(result) &&
-                         certificate.primal_infeasibility <= infeasibility_bound &&
-                         certificate.dual_infeasibility <= 1e-6 &&
-                         certificate.relative_gap <= Bounds<S>::Gap(pair, extent) &&
-                         certificate.separation_error <= separation_bound &&
-                         std::abs(separation - double(result.separation)) <= separation_bound;
+  const bool certified =
+      result.status == dgd::Status::kOptimal && IsFiniteAndOrdered(result) &&
+      certificate.primal_infeasibility <= infeasibility_bound && certificate.dual_infeasibility <= 1e-6 &&
+      certificate.relative_gap <= Bounds<S>::Gap(pair, extent) && certificate.separation_error <= separation_bound &&
+      std::abs(separation - double(result.separation)) <= separation_bound;
   if (certified) return ::testing::AssertionSuccess();
   return ::testing::AssertionFailure() << "status " << int(result.status) << ", iterations " << result.iterations
                                        << ", " << IsFiniteAndOrdered(result).message() << "growth distance "

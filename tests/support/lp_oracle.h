@@ -1,4 +1,5 @@
-// The growth distance of two polytopes as a linear program, solved by GLPK: an answer that shares nothing with dgd_core.
+// The growth distance of two polytopes as a linear program, solved by GLPK: an answer that shares nothing with
+// dgd_core.
 #pragma once
 
 #include <Eigen/Core>

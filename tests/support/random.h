@@ -1,5 +1,5 @@
-// Random numbers that are the same on every machine: raw generator output, mapped by hand, since the standard leaves its
-// distributions to the library.
+// Random numbers that are the same on every machine: raw generator output, mapped by hand, since the standard leaves
+// its distributions to the library.
 #pragma once
 
 #include <Eigen/Core>

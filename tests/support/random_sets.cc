@@ -69,10 +69,9 @@ void PlaceRandomly(Random& random, ReferencePair& pair, const Nearness& nearness
   pair.pose_2.rotation = random.Rotation();
   pair.pose_1.translation = kLargest * random.InCube();
   const Vector3d direction = random.UnitVector();
-  const double distance =
-      TouchingDistance(pair, direction) * random.LogUniform(nearness.closest, nearness.farthest);
-  pair.pose_2.translation = pair.pose_1 * pair.set_1.Middle() + distance * direction -
-                            pair.pose_2.rotation * pair.set_2.Middle();
+  const double distance = TouchingDistance(pair, direction) * random.LogUniform(nearness.closest, nearness.farthest);
+  pair.pose_2.translation =
+      pair.pose_1 * pair.set_1.Middle() + distance * direction - pair.pose_2.rotation * pair.set_2.Middle();
 }
 
 ReferencePair RandomPair(Random& random, CoreType type_1, bool rounded_1, CoreType type_2, bool rounded_2) {

@@ -6,7 +6,8 @@
 
 namespace dgd_test {
 
-/// Two decades: every length of a set is log-uniform between these, so one set may be a hundred times longer than thick.
+/// Two decades: every length of a set is log-uniform between these, so one set may be a hundred times longer than
+/// thick.
 inline constexpr double kSmallest = 0.05, kLargest = 5;
 
 /// @param rounded  With a radius from the same two decades, else radius 0.

@@ -11,8 +11,8 @@
 namespace dgd_test {
 
 enum class CoreType { kPoint, kSegment, kTriangle, kBox, kCylinder, kCone, kPolytope };
-inline constexpr std::array<CoreType, 7> kCoreTypes = {CoreType::kPoint,    CoreType::kSegment, CoreType::kTriangle,
-                                                       CoreType::kBox,      CoreType::kCylinder, CoreType::kCone,
+inline constexpr std::array<CoreType, 7> kCoreTypes = {CoreType::kPoint,   CoreType::kSegment,  CoreType::kTriangle,
+                                                       CoreType::kBox,     CoreType::kCylinder, CoreType::kCone,
                                                        CoreType::kPolytope};
 const char* Name(CoreType type);
 

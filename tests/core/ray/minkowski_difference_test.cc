@@ -45,8 +45,8 @@ TEST(FrameAlong, AnyAxis_GivesARotation) {
 TEST(MinkowskiDifference, Support_IsTheDifferenceOfTheSetsSupportPoints) {
   Random random(TestSeed());
   for (int i = 0; i < 200; ++i) {
-    ReferencePair reference{RandomSet(random, CoreType::kPolytope, i % 2 == 0),
-                            RandomSet(random, CoreType::kBox, i % 4 < 2), {}, {}};
+    ReferencePair reference{
+        RandomSet(random, CoreType::kPolytope, i % 2 == 0), RandomSet(random, CoreType::kBox, i % 4 < 2), {}, {}};
     PlaceRandomly(random, reference);
     const dgd::RoundedSet set_1{dgd::Polytope<double>(reference.set_1.points), reference.set_1.radius};
     const dgd::RoundedSet set_2{dgd::Box<double>(reference.set_2.size), reference.set_2.radius};

@@ -24,8 +24,12 @@ void CertifyWithRadius(double part, bool solid) {
 
 class RayIntersectionWithRadius : public ::testing::TestWithParam<double> {};
 
-TEST_P(RayIntersectionWithRadius, TinyRadius_SolidCoresAreCertifiedInDouble) { CertifyWithRadius<double>(GetParam(), true); }
-TEST_P(RayIntersectionWithRadius, TinyRadius_SolidCoresAreCertifiedInFloat) { CertifyWithRadius<float>(GetParam(), true); }
+TEST_P(RayIntersectionWithRadius, TinyRadius_SolidCoresAreCertifiedInDouble) {
+  CertifyWithRadius<double>(GetParam(), true);
+}
+TEST_P(RayIntersectionWithRadius, TinyRadius_SolidCoresAreCertifiedInFloat) {
+  CertifyWithRadius<float>(GetParam(), true);
+}
 INSTANTIATE_TEST_SUITE_P(OfTheSize, RayIntersectionWithRadius,
                          ::testing::Values(1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-12, 1e-15));
 

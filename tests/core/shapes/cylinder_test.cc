@@ -28,8 +28,7 @@ TEST(Cylinder, SupportFace_HoldsTheSupportPoint) {
   for (const Eigen::Vector3d& direction : Directions(random)) {
     dgd::SupportingFace<double> face;
     cylinder.SupportFace(direction, face);
-    EXPECT_EQ(face.points[0], cylinder.Support(direction).point + Eigen::Vector3d(0, 0, 0))
-        << direction.transpose();
+    EXPECT_EQ(face.points[0], cylinder.Support(direction).point + Eigen::Vector3d(0, 0, 0)) << direction.transpose();
   }
 }
 
@@ -53,7 +52,8 @@ TEST(Cylinder, Support_StaysOnDiscWhereSquaresUnderflow) {
 
 TEST(Cylinder, Constructor_RejectsBadSizesNamingThem) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  ExpectRejected([] { return dgd::Cylinder<double>(-1.5, 1); }, "cylinder radius must be finite and >= 0, in metres; got -1.5");
+  ExpectRejected([] { return dgd::Cylinder<double>(-1.5, 1); },
+                 "cylinder radius must be finite and >= 0, in metres; got -1.5");
   ExpectRejected([] { return dgd::Cylinder<double>(1, -0.5); }, "cylinder half height");
   ExpectRejected([&] { return dgd::Cylinder<double>(nan, 1); }, "nan");
   ExpectRejected([] { return dgd::Cylinder<double>(1, std::numeric_limits<double>::infinity()); }, "inf");

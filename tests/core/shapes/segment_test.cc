@@ -15,7 +15,8 @@ TEST(Segment, Contract_HoldsForManyLengths) {
 }
 
 TEST(Segment, Constructor_RejectsBadLengthNamingIt) {
-  ExpectRejected([] { return dgd::Segment<double>(-0.25); }, "segment half length must be finite and >= 0, in metres; got -0.25");
+  ExpectRejected([] { return dgd::Segment<double>(-0.25); },
+                 "segment half length must be finite and >= 0, in metres; got -0.25");
   ExpectRejected([] { return dgd::Segment<double>(std::numeric_limits<double>::quiet_NaN()); }, "nan");
   ExpectRejected([] { return dgd::Segment<float>(std::numeric_limits<float>::infinity()); }, "inf");
 }

@@ -188,8 +188,8 @@ TEST(SignedDistanceTest, RandomPolytopes_RigidMotionChangesNothing) {
   }
 }
 
-// Moving b along the normal changes the distance by just that much, on both sides of contact. In touch, a vertex may be a
-// rounding error below the face: it must not be lost, as it once was (and 3.7 mm reported to the next feature).
+// Moving b along the normal changes the distance by just that much, on both sides of contact. In touch, a vertex may be
+// a rounding error below the face: it must not be lost, as it once was (and 3.7 mm reported to the next feature).
 TEST(SignedDistanceTest, RandomPolytopes_MovingToContactAlongTheNormalTouches) {
   Random random(24, 0);
   for (int trial = 0; trial < 200; ++trial) {
