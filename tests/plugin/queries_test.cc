@@ -15,7 +15,6 @@ namespace dgd_test {
 namespace {
 
 constexpr double kLength = 1e-5;
-constexpr double kPi = 3.141592653589793;
 
 btTransform At(double x, double y, double z) { return MakeTransform(Eigen::Matrix3d::Identity(), {x, y, z}); }
 
