@@ -35,7 +35,7 @@ Exit status: 0 all went well; 1 a growth distance in double was not optimal or a
 
 constexpr int kMaxPairs = 10'000'000;
 constexpr int kMaxEffort = 1'000'000;
-// m. A margin of half the hull's size makes balls of both; the pairs must then still fit the classes.
+// m. Rounder than that, they are hulls no more.
 constexpr double kMaxMargin = kHullDiameter / 2;
 
 const std::map<std::string, DistanceOf> kDistanceNames = {{"sets", DistanceOf::kSets}, {"cores", DistanceOf::kCores}};

@@ -13,7 +13,7 @@ struct Outcome {
   std::string output;  // Both streams.
 };
 
-Outcome Run(const std::string& program, const std::string& arguments) {
+Outcome RunProgram(const std::string& program, const std::string& arguments) {
   std::FILE* pipe = popen((program + " " + arguments + " 2>&1").c_str(), "r");
   std::string output;
   std::array<char, 4096> text;
@@ -29,11 +29,11 @@ int Count(const std::string& text, const std::string& part) {
 }
 
 class HullPairsTest : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(BothPrecisions, HullPairsTest,
-                         testing::Values(DGD_TEST_PROGRAM_FLOAT, DGD_TEST_PROGRAM_FLOAT64));
+INSTANTIATE_TEST_SUITE_P(Bullet, HullPairsTest, testing::Values(DGD_TEST_PROGRAM_FLOAT, DGD_TEST_PROGRAM_FLOAT64),
+                         [](const auto& test) { return test.index == 0 ? "Float" : "Double"; });
 
 TEST_P(HullPairsTest, FewPairs_TableHoldsEveryRowAndNoQueryFails) {
-  const Outcome outcome = Run(GetParam(), "--pairs 50 --repeats 2 --rounds 1 --margin 0 0.04");
+  const Outcome outcome = RunProgram(GetParam(), "--pairs 50 --repeats 2 --rounds 1 --margin 0 0.04");
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   for (const char* distance_class : {"separated, ", "nearly touching, ", "touching, within", "shallow, ", "deep, "}) {
     EXPECT_EQ(Count(outcome.output, std::string("\n") + distance_class), 2) << distance_class << '\n' << outcome.output;
@@ -48,7 +48,7 @@ TEST_P(HullPairsTest, FewPairs_TableHoldsEveryRowAndNoQueryFails) {
 TEST_P(HullPairsTest, WrongArguments_EndWithStatusTwo) {
   for (const char* arguments :
        {"--pairs 0", "--seed -1", "--margin -0.1", "--distance-of boxes", "--csv /no/such/file"}) {
-    EXPECT_EQ(Run(GetParam(), arguments).status, 2) << arguments;
+    EXPECT_EQ(RunProgram(GetParam(), arguments).status, 2) << arguments;
   }
 }
 
