@@ -1,5 +1,7 @@
 #include "bench/growth_distance_query.h"
 
+#include <cmath>
+
 #include "bench/stopwatch.h"
 #include "dgd/certificate.h"
 #include "dgd/growth_distance.h"

@@ -1,6 +1,7 @@
 #include "bench/hull_pair.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 

@@ -3,6 +3,9 @@
 #include <exception>
 #include <iostream>
 #include <optional>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include "bench/bench_options.h"
 #include "bench/benchmark_csv.h"

@@ -1,7 +1,7 @@
 // All that is measured on the pairs of one class and margin, and what remains of it for the table.
 #pragma once
 
-#include <functional>
+#include <array>
 #include <vector>
 
 #include "bench/hull_pair.h"
