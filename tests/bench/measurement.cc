@@ -1,0 +1,79 @@
+#include "bench/measurement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dgd_bench {
+namespace {
+
+using Figure = double (*)(const Sample&);
+
+// The figure of every pair that has it, in ascending order.
+std::vector<double> Sorted(const Block& block, std::size_t method, Figure figure) {
+  std::vector<double> figures;
+  for (const PairRow& row : block.rows) {
+    const double value = figure(row.samples[method]);
+    if (!std::isnan(value)) figures.push_back(value);
+  }
+  std::ranges::sort(figures);
+  return figures;
+}
+
+// The least figure that `share` of all do not exceed.
+double Percentile(const std::vector<double>& sorted, double share) {
+  if (sorted.empty()) return kNone;
+  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
+  return sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1];
+}
+
+double Largest(const std::vector<double>& sorted) { return Percentile(sorted, 1); }
+
+double Sum(const std::vector<double>& figures) {
+  double sum = 0;
+  for (const double figure : figures) sum += figure;
+  return sum;
+}
+
+}  // namespace
+
+PairRow Measure(const HullPair& pair, const TimingEffort& effort) {
+  std::array<std::unique_ptr<Query>, kMethods.size()> queries;
+  for (std::size_t m = 0; m < kMethods.size(); ++m) queries[m] = kMethods[m].make_query(pair);
+
+  PairRow row;
+  row.signed_distance = pair.signed_distance;
+  for (std::size_t m = 0; m < kMethods.size(); ++m) {
+    row.samples[m] = {std::numeric_limits<double>::infinity(), queries[m]->Judge(pair)};
+  }
+  for (int round = 0; round < effort.rounds; ++round) {
+    for (std::size_t m = 0; m < kMethods.size(); ++m) {
+      row.samples[m].microseconds = std::min(row.samples[m].microseconds, queries[m]->Time(effort.repeats));
+    }
+  }
+  return row;
+}
+
+Summary Summarize(const Block& block, std::size_t method) {
+  const auto sorted = [&](Figure figure) { return Sorted(block, method, figure); };
+  const auto times = sorted([](const Sample& sample) { return sample.microseconds; });
+  const auto iterations = sorted([](const Sample& sample) { return sample.judgement.iterations; });
+  const auto errors = sorted([](const Sample& sample) { return sample.judgement.normal_error; });
+  const auto gaps = sorted([](const Sample& sample) { return sample.judgement.relative_gap; });
+  const auto infeasibilities = sorted([](const Sample& sample) { return sample.judgement.primal_infeasibility; });
+  const auto missing = sorted([](const Sample& sample) { return sample.judgement.is_missing ? 1.0 : 0.0; });
+  const auto failures = sorted([](const Sample& sample) { return sample.judgement.is_failure ? 1.0 : 0.0; });
+  return {.p50 = Percentile(times, 0.5),
+          .p99 = Percentile(times, 0.99),
+          .p9999 = Percentile(times, 0.9999),
+          .slowest = Largest(times),
+          .mean_iterations = Sum(iterations) / static_cast<double>(iterations.size()),
+          .normal_error_p99 = Percentile(errors, 0.99),
+          .normal_error_max = Largest(errors),
+          .relative_gap_max = Largest(gaps),
+          .primal_infeasibility_max = Largest(infeasibilities),
+          .missing = Sum(missing),
+          .failures = Sum(failures)};
+}
+
+}  // namespace dgd_bench
