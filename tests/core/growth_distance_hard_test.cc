@@ -299,7 +299,9 @@ TYPED_TEST(GrowthDistanceHard, NeedlesAndSheets_AreCertified) {
   }
 }
 
-TYPED_TEST(GrowthDistanceHard, SizesAThousandToOne_AreCertified) {
+// In double only: in float, the rounding of the large set's coordinates is wider than the default gap where the ray
+// runs along it.
+TEST(GrowthDistance, SizesAThousandToOne_AreCertified) {
   Random random(TestSeed());
   for (int i = 0; i < TestCount(10000); ++i) {
     const CoreType type_1 = kCoreTypes[static_cast<std::size_t>(3 + random.Below(4))];
@@ -308,8 +310,7 @@ TYPED_TEST(GrowthDistanceHard, SizesAThousandToOne_AreCertified) {
     const bool large_first = random.Flip();
     (large_first ? pair.set_1 : pair.set_2) = Scaled(large_first ? pair.set_1 : pair.set_2, 1000);
     PlaceRandomly(random, pair);
-    this->ExpectSolved(pair);
-    if (this->HasFailure()) return;
+    ASSERT_TRUE(SolvesAndCertifies<double>(pair));
   }
 }
 

@@ -152,7 +152,7 @@ void ClipByPolygon(const ProjectedFace<S>& subject, bool subject_is_1, const Pro
   for (int i = 0; i < current->size; ++i) overlap.Add((*current)[i]);
 }
 
-/// The common part of two nearly parallel segments: its two ends, on the line half way between them.
+/// The common part of two nearly parallel segments: its two ends, half way between the surfaces there.
 template <class S>
 void OverlapSegments(const SupportingFace<S>& segment_1, const SupportingFace<S>& segment_2, CornerList<S>& overlap) {
   // Beyond about 3 degrees two edges touch in a point, which the witness is.
@@ -170,15 +170,36 @@ void OverlapSegments(const SupportingFace<S>& segment_1, const SupportingFace<S>
   const S low = std::max(S(0), std::min(begin_2, begin_2 + extent_2));
   const S high = std::min(length_1, std::max(begin_2, begin_2 + extent_2));
   if (!(low < high)) return;
+  const S radii = segment_1.radius + segment_2.radius;
   for (const S at : {low, high}) {
-    const Vector3<S> on_1 = a1 + at / length_1 * d1;
-    const Vector3<S> on_2 = a2 + (at - begin_2) / extent_2 * d2;
-    // Sideways offset makes rounded edges part: report their true distance, not the one along the normal.
-    const S lateral = std::hypot(on_2.x() - on_1.x(), on_2.y() - on_1.y());
-    const S rise = on_2.z() - on_1.z();
-    const S distance = rise > 0 ? std::hypot(rise, lateral) : rise;
-    overlap.Add({(on_1.x() + on_2.x()) / 2, (on_1.y() + on_2.y()) / 2, on_1.z(), on_1.z() + distance});
+    // The surfaces' lines, and the axes that they curve about.
+    const Vector3<S> line_1 = a1 + at / length_1 * d1;
+    const Vector3<S> line_2 = a2 + (at - begin_2) / extent_2 * d2;
+    const Vector3<S> axis_1 = line_1 - Vector3<S>(0, 0, segment_1.radius);
+    const Vector3<S> axis_2 = line_2 + Vector3<S>(0, 0, segment_2.radius);
+    const Vector3<S> across = axis_2 - axis_1;
+    // Beside each other, curved surfaces part: their distance there, not the one of the lines along the normal.
+    const bool faces = across.z() > 0;
+    const S distance = faces ? across.norm() - radii : line_2.z() - line_1.z();
+    const Vector3<S> outwards = faces ? Vector3<S>(across / across.norm()) : Vector3<S>(Vector3<S>::UnitZ());
+    const Vector3<S> middle = axis_1 + (segment_1.radius + distance / 2) * outwards;
+    overlap.Add({middle.x(), middle.y(), middle.z() - distance / 2, middle.z() + distance / 2});
   }
+}
+
+/// The witness: half way between the two witness points, which is the frame's origin; or over the only point that a set
+/// has there. A sphere is touched on the line through its centre: elsewhere, a contact would spin it.
+template <class S>
+Corner<S> WitnessCorner(const SupportingFace<S>& face_1, const SupportingFace<S>& face_2, S separation) {
+  if (face_1.size == 1) {
+    const Vector3<S>& point = face_1.points[0];
+    return {point.x(), point.y(), point.z(), point.z() + separation};
+  }
+  if (face_2.size == 1) {
+    const Vector3<S>& point = face_2.points[0];
+    return {point.x(), point.y(), point.z() - separation, point.z()};
+  }
+  return {0, 0, -separation / 2, separation / 2};
 }
 
 /// Keeps up to four corners that span the patch: the deepest, the farthest from it, and one on either side of the line
@@ -239,6 +260,7 @@ template <class Set>
   using S = typename Set::Scalar;
   SupportingFace<S> face;
   set.core.SupportFace(pose.rotation.transpose() * direction, face);
+  face.radius += set.radius;
   const Matrix3<S> rotation = frame.axes.transpose() * pose.rotation;
   const Vector3<S> translation = frame.axes.transpose() * (pose.translation + set.radius * direction - frame.origin);
   for (std::size_t i = 0; i < static_cast<std::size_t>(face.size); ++i) {
@@ -272,8 +294,8 @@ template <class S, class IsApproaching>
     OverlapSegments(face_1, face_2, overlap);
   }
 
-  // The witness, which is at the origin across the normal, unless a corner is as deep: for polytopes one usually is,
-  // and a fourth corner serves the solver of the constraints better than a point in the middle.
+  // The witness, unless a corner is as deep: for polytopes one usually is, and a fourth corner serves the solver of the
+  // constraints better than a point in the middle.
   constexpr S kAsDeep = S(1e-3);
   const S as_deep = result.separation + kAsDeep * spacing;
   CornerList<S> near;
@@ -289,7 +311,7 @@ template <class S, class IsApproaching>
     if (corner.Separation() <= as_deep) witness_needed = false;
   };
   for (int i = 0; i < overlap.size; ++i) add_if_kept(overlap[i]);
-  if (witness_needed) add_if_kept({0, 0, -result.separation / 2, result.separation / 2});
+  if (witness_needed) add_if_kept(WitnessCorner(face_1, face_2, result.separation));
   if (near.size == 0) return {};
 
   CornerList<S> kept;

@@ -35,6 +35,15 @@ concept VertexCore = ConvexCore<Core> && requires(const Core& core, VertexId ver
   { core.VertexCount() } -> std::convertible_to<VertexId>;
 };
 
+/// A core whose centre may move within it. MoveCenterNear(p) puts it as near to the point p (in the core's frame) as
+/// the inradius about it allows: a wide flat body, scaled about a far centre, would draw its border in by its width
+/// times the overlap's part, past a partner that stands on it; about a near one, it acts as if only that part were
+/// there.
+template <class Core>
+concept CenteredCore = ConvexCore<Core> && requires(Core& core, const Vector3<typename Core::Scalar>& point) {
+  core.MoveCenterNear(point);
+};
+
 /// core + ball(radius). The core is held by value where it is small; use CoreReference for one that is not.
 template <ConvexCore CoreType>
 struct RoundedSet {

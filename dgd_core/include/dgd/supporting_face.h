@@ -7,7 +7,8 @@
 
 namespace dgd {
 
-/// A convex polygon (three points or more, in order around it), a segment (two) or a point (one), in the core's frame.
+/// A convex polygon (three points or more, in order around it), a segment (two), a point (one), or nothing where the
+/// core does not know its faces; in the core's frame.
 /// It holds the support point of the direction it was asked for, or a point of the same height within the core's own
 /// discretisation (discs are given as inscribed polygons).
 template <class Scalar>
@@ -17,6 +18,8 @@ struct SupportingFace {
 
   std::array<Vector3<Scalar>, kMaxPoints> points;
   int size = 0;
+  /// Of a segment: the radius of the surface's curve across it, metres. 0 for a sharp edge, and a safe choice.
+  Scalar radius = 0;
 
   void Add(const Vector3<Scalar>& point) { points[static_cast<std::size_t>(size++)] = point; }
 };

@@ -81,7 +81,7 @@ class InnerApproximation {
     const bool found = size == 3   ? TriangleExit(a, basis[1].point, basis[2].point, exit)
                        : size == 2 ? EdgeExit(a, basis[1].point, exit)
                                    : VertexExit(a, exit);
-    if (!found || !IsNotLower(exit)) return false;
+    if (!found || !(exit.height >= height_)) return false;
     points_ = basis;
     Adopt(exit);
     return true;
@@ -123,63 +123,134 @@ class InnerApproximation {
     return sum;
   }
 
-  /// Unit normal of a triangle, upwards; false if the triangle is a sliver seen along the ray or has no area.
-  static bool UpwardNormal(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, Vector3<S>& normal) {
-    normal = (b - a).cross(c - a);
+  static S LateralL1(const Vector3<S>& a) { return std::abs(a.x()) + std::abs(a.y()); }
+
+  /// Turns a triangle's normal upwards and to unit length; false if the ray sees the triangle edge-on.
+  static bool PointUpwards(Vector3<S>& normal) {
     const S length = normal.norm();
     if (!(length > 0)) return false;
     normal *= std::copysign(1 / length, normal.z());
     return normal.z() > 0;
   }
 
-  /// Clamps the weights' rounding and scales them to sum 1; false if the point lies outside or a weight is NaN.
-  static bool Normalize(std::array<S, 3>& weights) {
-    const S sum = weights[0] + weights[1] + weights[2];
-    if (!(std::abs(sum) > 0)) return false;
-    for (S& weight : weights) {
-      weight /= sum;
-      if (!(weight >= -kWeightSlack<S>)) return false;
-      if (weight < 0) weight = 0;
+  enum class Crossing { kNo, kYes, kUncertain };
+
+  /// Barycentric weights of the ray in a triangle seen along it, the plain way: uncertain where the ray passes an edge
+  /// within rounding.
+  /// @param rounding  Of twice an area, square metres.
+  static Crossing Weigh(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, S rounding,
+                        std::array<S, 3>& weights) {
+    weights = {Cross(b, c), Cross(c, a), Cross(a, b)};
+    const S per_area = 1 / (weights[0] + weights[1] + weights[2]);
+    for (S& weight : weights) weight *= per_area;
+    const S least = std::min({weights[0], weights[1], weights[2]});
+    const S uncertainty = rounding * std::abs(per_area);
+    return least > uncertainty ? Crossing::kYes : least < -uncertainty ? Crossing::kNo : Crossing::kUncertain;
+  }
+
+  /// Twice the signed area of the ray and an edge seen along the ray, counterclockwise positive, and what its rounding
+  /// error is epsilon times of. From the corner opposite the longest side of the three, so that neither two far points
+  /// close together nor one far and one near point cost digits. Depends on the edge alone: neighbouring triangles agree
+  /// about which side of it the ray is on.
+  struct EdgeArea {
+    EdgeArea(const Vector3<S>& a, const Vector3<S>& b) {
+      const Vector3<S> d = b - a;
+      const S length_a = LateralL1(a), length_b = LateralL1(b), length_d = LateralL1(d);
+      length = length_d;
+      if (length_d >= length_a && length_d >= length_b) {
+        value = Cross(a, b);
+        scale = length_a * length_b;
+      } else if (length_a >= length_b) {
+        value = Cross(b, d);
+        scale = length_b * length_d;
+      } else {
+        value = Cross(a, d);
+        scale = length_a * length_d;
+      }
+    }
+    S value, scale, length;
+  };
+
+  /// As Weigh(), for slivers: one long side and little area, where plain sums and differences lose most digits.
+  /// @param area          Twice the triangle's seen along the ray: from its sides, since the three edge areas may
+  /// cancel.
+  /// @param border_error  How far the border may be off, metres.
+  static bool WeighSliver(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, S area, S border_error,
+                          std::array<S, 3>& weights) {
+    const EdgeArea edges[3] = {{b, c}, {c, a}, {a, b}};
+    const S sign = edges[0].value + edges[1].value + edges[2].value < 0 ? S(-1) : S(1);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const S slack = kWeightSlack<S> * edges[k].scale + border_error * edges[k].length;
+      if (!(sign * edges[k].value >= -slack)) return false;
+      weights[k] = std::max(S(0), sign * edges[k].value / area);
+    }
+    // The weights' sum carries the error of the least certain ones; they share it, so that the rest keep their digits.
+    std::size_t first = edges[0].scale >= edges[1].scale ? 0 : 1, second = 1 - first;
+    if (edges[2].scale > edges[second].scale) second = 2;
+    if (edges[second].scale > edges[first].scale) std::swap(first, second);
+    const S others = weights[3 - first - second];
+    weights[first] = 1 - others - weights[second];
+    if (weights[first] < 0) {
+      weights[first] = 0;
+      weights[second] = std::max(S(0), 1 - others);
     }
     return true;
   }
 
-  /// A sliver seen along the ray gives barycentric weights with few digits. The ray then passes by one of its edges,
-  /// within rounding, and the weights on that edge keep them all: take whichever meet the ray more closely.
-  static void PreferEdgeOfSliver(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c,
-                                 std::array<S, 3>& weights) {
-    const std::array<const Vector3<S>*, 3> corners{&a, &b, &c};
-    const auto lateral_sq = [](const Vector3<S>& v) { return v.x() * v.x() + v.y() * v.y(); };
-    const S longest_sq = std::max({lateral_sq(b - a), lateral_sq(c - b), lateral_sq(a - c)});
-    if (!(std::abs(Cross(b - a, c - a)) < kSliver<S> * longest_sq)) return;
-    S nearest_sq = lateral_sq(weights[0] * a + weights[1] * b + weights[2] * c);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3;
-      const Vector3<S> d = *corners[j] - *corners[i];
-      const S length_sq = lateral_sq(d);
-      if (!(length_sq > 0)) continue;
-      const S t = std::clamp(-(corners[i]->x() * d.x() + corners[i]->y() * d.y()) / length_sq, S(0), S(1));
-      const S distance_sq = lateral_sq(*corners[i] + t * d);
-      if (!(distance_sq < nearest_sq)) continue;
-      nearest_sq = distance_sq;
-      weights = {};
-      weights[i] = 1 - t;
-      weights[j] = t;
+  /// Normal of a sliver, from the corner opposite its longest side; see EdgeArea.
+  struct SliverNormal {
+    SliverNormal(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c) {
+      const Vector3<S> ab = b - a, bc = c - b, ca = a - c;
+      const S length_ab = ab.squaredNorm(), length_bc = bc.squaredNorm(), length_ca = ca.squaredNorm();
+      const S longest = std::max({length_ab, length_bc, length_ca});
+      const bool is_ab = longest == length_ab, is_bc = !is_ab && longest == length_bc;
+      cross = is_ab ? bc.cross(ca) : is_bc ? ca.cross(ab) : ab.cross(bc);
+      const S short_sides_sq = is_ab ? length_bc * length_ca : is_bc ? length_ca * length_ab : length_ab * length_bc;
+      error = kWeightSlack<S> * std::sqrt(short_sides_sq / cross.squaredNorm());
     }
-  }
+    Vector3<S> cross;  // As long as twice the sliver's area.
+    S error;           // Of the unit normal, radians: the flatter the corner, the larger.
+  };
 
-  /// Offset triangle: the plane through a, b and c, moved by R along its normal.
+  /// Offset triangle: the plane through a, b and c, moved by R along its normal; false if the ray passes it by, or sees
+  /// it edge-on. Computed the plain way first, and with care where that is not certain.
   bool TriangleExit(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, Exit& exit) const {
-    if (!UpwardNormal(a, b, c, exit.normal)) return false;
+    exit.normal = (b - a).cross(c - a);
+    const S area = std::abs(exit.normal.z());
+    if (!PointUpwards(exit.normal)) return SliverExit(a, b, c, exit);
     // The plane moves sideways by the normal's lateral part, and the triangle's border with it.
     const Vector3<S> shift = rounding_ * exit.normal;
     const Vector3<S> shifted_a = a + shift, shifted_b = b + shift, shifted_c = c + shift;
-    exit.weights = {Cross(shifted_b, shifted_c), Cross(shifted_c, shifted_a), Cross(shifted_a, shifted_b)};
-    if (!Normalize(exit.weights)) return false;
-    PreferEdgeOfSliver(shifted_a, shifted_b, shifted_c, exit.weights);
-    exit.height = exit.weights[0] * shifted_a.z() + exit.weights[1] * shifted_b.z() + exit.weights[2] * shifted_c.z();
-    exit.size = 3;
+    const S reach = std::max({LateralL1(shifted_a), LateralL1(shifted_b), LateralL1(shifted_c)});
+    if (!(area > kSliver<S> * reach * reach)) return SliverExit(a, b, c, exit);
+    switch (Weigh(shifted_a, shifted_b, shifted_c, kWeightSlack<S> * reach * (reach + rounding_), exit.weights)) {
+      case Crossing::kNo:
+        return false;
+      case Crossing::kUncertain:
+        return SliverExit(a, b, c, exit);
+      case Crossing::kYes:
+        SetTriangleHeight(shifted_a.z(), shifted_b.z(), shifted_c.z(), exit);
+    }
     return true;
+  }
+
+  /// As TriangleExit(), for slivers and for rays along a border: the basis changes there by the last digits, and all
+  /// triangles on an edge must agree about the side of it on which the ray is.
+  bool SliverExit(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, Exit& exit) const {
+    const SliverNormal normal(a, b, c);
+    exit.normal = normal.cross;
+    if (!PointUpwards(exit.normal)) return false;
+    const Vector3<S> shift = rounding_ * exit.normal;
+    const Vector3<S> shifted_a = a + shift, shifted_b = b + shift, shifted_c = c + shift;
+    const S area = std::abs(normal.cross.z()), border_error = rounding_ * normal.error;
+    if (!WeighSliver(shifted_a, shifted_b, shifted_c, area, border_error, exit.weights)) return false;
+    SetTriangleHeight(shifted_a.z(), shifted_b.z(), shifted_c.z(), exit);
+    return true;
+  }
+
+  static void SetTriangleHeight(S a, S b, S c, Exit& exit) {
+    exit.height = exit.weights[0] * a + exit.weights[1] * b + exit.weights[2] * c;
+    exit.size = 3;
   }
 
   /// Offset edge: the cylinder about the segment from a to b.
@@ -199,9 +270,12 @@ class InnerApproximation {
     if (!(t >= -kWeightSlack<S> && t <= 1 + kWeightSlack<S>)) return false;
     t = t < 0 ? S(0) : t > 1 ? S(1) : t;
     exit.height = a.z() + t0 * d.z() + half_width * length / lateral;
-    exit.normal = {-(a.x() + t * d.x()) / rounding_, -(a.y() + t * d.y()) / rounding_,
-                   half_width * lateral / (length * rounding_)};
-    exit.normal.normalize();
+    // Of a part across the edge and the ray, and a part in their plane: orthogonal to the edge to the last digit also
+    // where the radius is small, which -(a + t * d) / R is not.
+    const S across = cross / (rounding_ * lateral_sq);
+    const S along = -half_width * d.z() / (rounding_ * lateral * length);
+    exit.normal = {along * d.x() - across * d.y(), along * d.y() + across * d.x(),
+                   half_width * lateral / (rounding_ * length)};
     exit.weights = {1 - t, t, 0};
     exit.size = 2;
     return true;
@@ -248,11 +322,12 @@ class InnerApproximation {
         const int dropped = (outgoing + turn) % 3, i = (outgoing + turn + 1) % 3, j = (outgoing + turn + 2) % 3;
         if (!TriangleExit(PointOf(i), PointOf(j), w, exit)) continue;
         keep_higher(i, j);
-        if (turn == 0 && exit.normal.dot(PointOf(dropped) - w) <= 0) return Replace(best, added);
+        const bool is_done = exit.height >= height_ && exit.normal.dot(PointOf(dropped) - w) <= 0;
+        if (turn == 0 && is_done) return Replace(best, added);
       }
     } else if (size_ == 2 && TriangleExit(PointOf(0), PointOf(1), w, exit)) {
       keep_higher(0, 1);
-      return Replace(best, added);
+      if (exit.height >= height_) return Replace(best, added);
     }
     for (int i = 0; i < size_; ++i) {
       if (EdgeExit(PointOf(i), w, exit)) keep_higher(i, -1);
@@ -262,21 +337,35 @@ class InnerApproximation {
   }
 
   bool InsertSharp(const DifferencePoint<S>& added) {
+    // The ratio test names the triangle, but for ties and rounding where the ray meets an edge or a corner of the
+    // basis, or the added point is opposite to one. Several triangles carry the ray then, at one height but for
+    // rounding: it is one with the dropped point below it, and of those the flattest, which magnifies the rounding
+    // least.
     const int outgoing = OutgoingIndex(added.point, Vector3<S>::Zero());
-    Exit exit;
-    exit.kept = {(outgoing + 1) % 3, (outgoing + 2) % 3};
-    return TriangleExit(PointOf(exit.kept[0]), PointOf(exit.kept[1]), added.point, exit) && Replace(exit, added);
+    Exit best, exit;
+    bool best_is_outside = false;
+    for (int turn = 0; turn < 3; ++turn) {
+      const int dropped = (outgoing + turn) % 3;
+      exit.kept = {(dropped + 1) % 3, (dropped + 2) % 3};
+      if (!TriangleExit(PointOf(exit.kept[0]), PointOf(exit.kept[1]), added.point, exit)) continue;
+      const bool is_outside = exit.normal.dot(PointOf(dropped) - added.point) <= 0;
+      if (is_outside && exit.normal.z() > kSteep<S>) return Replace(exit, added);
+      const bool better = is_outside != best_is_outside ? is_outside
+                          : is_outside                  ? exit.normal.z() > best.normal.z()
+                                                        : exit.height > best.height;
+      if (best.size == 0 || better) {
+        best = exit;
+        best_is_outside = is_outside;
+      }
+    }
+    return best.size > 0 && Replace(best, added);
   }
 
-  /// Whether an exit is as high as the last one but for rounding. Where the ray meets an edge of the basis, the next
-  /// plane through that edge is no higher, and the step must not be lost to an ulp.
-  bool IsNotLower(const Exit& exit) const { return exit.height >= height_ - kWeightSlack<S> * height_; }
-
-  /// Makes the kept points and the added one the basis, unless that is lower: the bound is monotone also under
-  /// rounding. Equal heights are taken: where the ray meets an edge of the basis, a simplex step turns the plane
-  /// without raising it.
+  /// Makes the kept points and the added one the basis, unless that is lower by more than rounding; the bound itself is
+  /// monotone. Equal heights are taken: where the ray meets an edge of the basis, a simplex step turns the plane
+  /// without raising it, and may lower it by rounding many times on the way to the right plane.
   bool Replace(const Exit& exit, const DifferencePoint<S>& added) {
-    if (!IsNotLower(exit)) return false;
+    if (!(exit.height >= height_) && !(exit.height >= height_ - HeightRounding(exit, added.point))) return false;
     // The kept points go to the front; i < j cyclically, so they may have to move in either order.
     std::array<DifferencePoint<S>, 2> kept;
     for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(exit.size); ++i) {
@@ -299,6 +388,14 @@ class InnerApproximation {
       std::swap(points_[0], points_[1]);
       std::swap(weights_[0], weights_[1]);
     }
+  }
+
+  /// How much lower than now an exit may be by rounding: the error of the points' coordinates across the ray, up the
+  /// slope of the steeper plane.
+  S HeightRounding(const Exit& exit, const Vector3<S>& added) const {
+    S reach = added.cwiseAbs().maxCoeff();
+    for (const DifferencePoint<S>& point : points_) reach = std::max(reach, point.point.cwiseAbs().maxCoeff());
+    return kWeightSlack<S> * reach / std::min(exit.normal.z(), normal_.z());
   }
 
   std::array<DifferencePoint<S>, 3> points_;

@@ -49,14 +49,14 @@ class MinkowskiDifference {
     center_2_ = pose_2 * core_center_2_;
     const Vector3<S> p = center_2_ - center_1_;
     length_ = p.norm();
-    // With coincident centres the ray has no direction; any frame serves, see RayIntersection.
-    frame_ = length_ > 0 ? FrameAlong<S>(p / length_) : Matrix3<S>::Identity();
-    to_frame_1_.noalias() = frame_.transpose() * pose_1.rotation;
-    to_frame_2_.noalias() = frame_.transpose() * pose_2.rotation;
-
     const S radius = set_1.radius + set_2.radius;
     const S core_inradius = set_1.core.Inradius() + set_2.core.Inradius();
     inradius_ = radius + core_inradius;
+    // With coincident centres the ray has no direction; any frame serves, see RayIntersection. So tiny a length may
+    // also have lost its digits to underflow.
+    frame_ = length_ > kCoincidence<S> * inradius_ ? FrameAlong<S>(p / length_) : Matrix3<S>::Identity();
+    to_frame_1_.noalias() = frame_.transpose() * pose_1.rotation;
+    to_frame_2_.noalias() = frame_.transpose() * pose_2.rotation;
     rounding_ = radius > kMinRounding<S> * core_inradius ? radius : 0;
     inflation_1_ = rounding_ > 0 ? 0 : set_1.radius;
     inflation_2_ = rounding_ > 0 ? 0 : set_2.radius;

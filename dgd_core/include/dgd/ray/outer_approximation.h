@@ -25,6 +25,14 @@ class OuterApproximation {
     }
   }
 
+  /// Takes the plane whatever it says of the ray: of use where there is no ray, see RayIntersection.
+  void Adopt(const Vector3<S>& normal, S support_value, const DifferencePoint<S>& support) {
+    height_ = support_value;
+    normal_ = normal;
+    support_value_ = support_value;
+    on_1_ = support.on_1;
+  }
+
   /// Upper bound on the height at which the ray leaves C, metres; infinite before the first cut.
   S Height() const { return height_; }
   /// Unit normal of the best plane, ray frame.

@@ -10,6 +10,12 @@
 
 namespace dgd {
 
+/// Whether there is a last normal, of unit length: nothing else bounds anything, wherever it comes from.
+template <class S>
+bool HasNormal(const WarmStart<S>& warm_start) {
+  return std::abs(warm_start.normal_1.squaredNorm() - 1) <= kSqrtEpsilon<S>;  // False for NaN.
+}
+
 /// What ends a query besides convergence.
 enum class Question { kDistance, kCollision };
 
@@ -34,8 +40,10 @@ class RayIntersection {
   }
 
   int Iterations() const { return iterations_; }
-  /// Rounding of either may put the bounds in the wrong order by an ulp: never the reported ones.
-  S LowerBound() const { return coincident_ ? S(0) : std::min(difference_.Length() / outer_.Height(), UpperBound()); }
+  /// At most the upper one, also where rounding puts the two heights in the wrong order.
+  S LowerBound() const {
+    return coincident_ ? S(0) : difference_.Length() / std::max(outer_.Height(), inner_.Height());
+  }
   S UpperBound() const { return coincident_ ? S(0) : difference_.Length() / inner_.Height(); }
   Vector3<S> Normal() const { return difference_.DirectionToWorld(outer_.Normal()); }
   /// Distance of the supporting planes along the normal, metres.
@@ -61,14 +69,13 @@ class RayIntersection {
   /// With p = 0 the growth distance is 0 and every direction is a normal: take the last one, or x.
   Status MeasureAlongAnyNormal(const WarmStart<S>* warm_start) {
     coincident_ = true;
-    iterations_ = 1;
     Vector3<S> normal = Vector3<S>::UnitX();
-    if (warm_start != nullptr && warm_start->normal_1.squaredNorm() > 0) {
+    if (warm_start != nullptr && HasNormal(*warm_start)) {
       normal = difference_.DirectionToFrame(warm_start->normal_1);
     }
-    // The outer approximation cuts a ray: of the two directions, the one along it.
-    normal.z() = std::max(std::abs(normal.z()), kEpsilon<S>);
-    CutAlong(normal.normalized());
+    iterations_ = 1;
+    const DifferencePoint<S> support = difference_.Support(normal);
+    outer_.Adopt(normal, normal.dot(support.point) + difference_.Rounding(), support);
     return Status::kCoincidentCenters;
   }
 
@@ -120,7 +127,9 @@ class RayIntersection {
         return inner_.Normal();
       }
     }
-    const Vector3<S> last_normal = difference_.DirectionToFrame(warm_start.normal_1);
+    if (!HasNormal(warm_start)) return inner_.Normal();
+    // Scaled to unit length each time: the rotations' rounding would add up over the frames.
+    const Vector3<S> last_normal = difference_.DirectionToFrame(warm_start.normal_1).normalized();
     return last_normal.z() > 0 ? last_normal : inner_.Normal();
   }
 
@@ -129,7 +138,7 @@ class RayIntersection {
     const bool converged = outer_.Height() <= inner_.Height() * (1 + settings_.relative_tolerance);
     if (question == Question::kCollision) {
       if (inner_.Height() >= difference_.Length()) return Status::kColliding;
-      if (outer_.Height() < difference_.Length()) return Status::kSeparated;
+      if (Separation() > 0) return Status::kSeparated;
       return converged ? Status::kTouching : kGoOn;
     }
     return converged ? Status::kOptimal : kGoOn;
@@ -161,6 +170,7 @@ class RayIntersection {
 
 /// Tries the normal along which the sets were apart at the last query, before any frame is made: two evaluations of
 /// support functions and a few dot products decide most pairs of a broadphase, which are apart and stay so.
+/// @param warm_start  HasNormal().
 /// @return whether the sets are farther apart along it than `limit`; the result then says so.
 template <class Set1, class Set2>
 [[gnu::flatten]] bool SeparatedAlongLastNormal(const Set1& set_1, const Pose<typename Set1::Scalar>& pose_1,
@@ -176,7 +186,7 @@ template <class Set1, class Set2>
   const Vector3<S> support_2 = set_2.core.Support(normal_2).point;
   const S separation = normal.dot(pose_2.translation - pose_1.translation) - normal_1.dot(support_1) -
                        normal_2.dot(support_2) - set_1.radius - set_2.radius;
-  if (!(separation > limit)) return false;  // Also for NaN, and for the zero normal of a cold start.
+  if (!(separation > limit && std::isfinite(separation))) return false;  // Also for NaN.
 
   result.status = Status::kSeparated;
   result.iterations = 1;
@@ -194,7 +204,7 @@ template <class Set1, class Set2>
                                                               const Settings<typename Set1::Scalar>& settings,
                                                               WarmStart<typename Set1::Scalar>* warm_start) {
   Result<typename Set1::Scalar> result;
-  if (warm_start != nullptr && warm_start->size == 0 &&
+  if (warm_start != nullptr && warm_start->size == 0 && HasNormal(*warm_start) &&
       SeparatedAlongLastNormal(set_1, pose_1, set_2, pose_2, settings.separation_limit, *warm_start, result)) {
     return result;
   }
@@ -219,7 +229,7 @@ CollisionResult<typename Set1::Scalar> DetectCollision(const Set1& set_1, const 
   using S = typename Set1::Scalar;
   CollisionResult<S> result;
   Result<S> apart;
-  if (warm_start != nullptr && warm_start->size == 0 &&
+  if (warm_start != nullptr && warm_start->size == 0 && HasNormal(*warm_start) &&
       SeparatedAlongLastNormal(set_1, pose_1, set_2, pose_2, S(0), *warm_start, apart)) {
     result.status = Status::kSeparated;
     result.iterations = apart.iterations;

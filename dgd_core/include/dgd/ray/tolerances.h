@@ -26,10 +26,16 @@ inline constexpr S kMinRounding = kSqrtEpsilon<S>;
 template <class S>
 inline constexpr S kWeightSlack = 16 * kEpsilon<S>;
 
-/// Triangles with less area than this part of the square over their longest side, seen along the ray, are slivers:
-/// their barycentric weights have lost half of their digits. Test: GrowthDistance_SteepTriangle_*.
+/// Triangles with less area than this part of the square over their farthest corner, seen along the ray, are slivers:
+/// plain differences and sums would cost their normal and their barycentric weights more than two digits.
+/// Test: GrowthDistance.SteepTriangle_*.
 template <class S>
-inline constexpr S kSliver = kSqrtEpsilon<S>;
+inline constexpr S kSliver = S(0.05);
+
+/// Planes whose unit normal has a smaller part along the ray are steep: the height at which they meet the ray magnifies
+/// the rounding of their points by the inverse, so a flatter one is looked for. Test: GrowthDistance.SteepTriangle_*.
+template <class S>
+inline constexpr S kSteep = S(0.01);
 
 /// Centres nearer than this part of the inradii coincide: the growth distance is then below it, and the direction
 /// between the centres is rounding.

@@ -24,8 +24,13 @@ class Box {
                        std::copysign(half_extents_.z(), direction.z())),
             corner};
   }
-  Vector3<S> Center() const { return Vector3<S>::Zero(); }
+  const Vector3<S>& Center() const { return center_; }
   S Inradius() const { return half_extents_.minCoeff(); }
+  /// See CenteredCore.
+  void MoveCenterNear(const Vector3<S>& point) {
+    const Vector3<S> reach = half_extents_.array() - Inradius();
+    center_ = point.cwiseMax(-reach).cwiseMin(reach);
+  }
 
   /// Bit i of `corner` is set where coordinate i is negative.
   Vector3<S> Vertex(VertexId corner) const {
@@ -54,6 +59,7 @@ class Box {
 
  private:
   Vector3<S> half_extents_;
+  Vector3<S> center_ = Vector3<S>::Zero();
 };
 
 }  // namespace dgd

@@ -43,7 +43,8 @@ class Cone {
         slant_sq > 0 ? std::clamp(((radius_ - lateral) * radius_ + above_base * height_) / slant_sq, S(0), S(1)) : S(0);
     const S to_side = std::hypot(lateral - radius_ * (1 - along), above_base - height_ * along);
     const bool below_side = height_ * lateral + radius_ * above_base <= height_ * radius_;
-    if (below_side && above_base >= 0) return 0;
+    // The last two decide for discs and segments, whose side is no plane.
+    if (below_side && above_base >= 0 && above_base <= height_ && lateral <= radius_) return 0;
     const S to_base = std::hypot(std::max(lateral - radius_, S(0)), above_base);
     return std::min(to_side, to_base);
   }

@@ -23,8 +23,15 @@ class Cylinder {
   SupportPoint<S> Support(const Vector3<S>& direction) const {
     return {DiscSupport(direction, radius_, std::copysign(half_height_, direction.z()))};
   }
-  Vector3<S> Center() const { return Vector3<S>::Zero(); }
+  const Vector3<S>& Center() const { return center_; }
   S Inradius() const { return std::min(radius_, half_height_); }
+  /// See CenteredCore.
+  void MoveCenterNear(const Vector3<S>& point) {
+    const S reach_z = half_height_ - Inradius(), reach = radius_ - Inradius();
+    const S lateral = std::hypot(point.x(), point.y());
+    const S scale = lateral > reach ? reach / lateral : S(1);
+    center_ = {scale * point.x(), scale * point.y(), std::clamp(point.z(), -reach_z, reach_z)};
+  }
 
   /// Distance of `point` to the core, metres; 0 inside.
   S Distance(const Vector3<S>& point) const {
@@ -33,19 +40,22 @@ class Cylinder {
     return std::hypot(outside_side, outside_cap);
   }
 
-  /// The cap or the line on the side that is nearer to facing `direction`.
+  /// The cap or the line on the side that is nearer to facing `direction`; the support point first.
   void SupportFace(const Vector3<S>& direction, SupportingFace<S>& face) const {
     if (std::abs(direction.z()) >= std::hypot(direction.x(), direction.y())) {
       AddDisc(direction, radius_, std::copysign(half_height_, direction.z()), face);
     } else {
-      face.Add(DiscSupport(direction, radius_, half_height_));
-      face.Add(DiscSupport(direction, radius_, -half_height_));
+      const S near_end = std::copysign(half_height_, direction.z());
+      face.Add(DiscSupport(direction, radius_, near_end));
+      face.Add(DiscSupport(direction, radius_, -near_end));
+      face.radius = radius_;
     }
   }
 
  private:
   S radius_;
   S half_height_;
+  Vector3<S> center_ = Vector3<S>::Zero();
 };
 
 }  // namespace dgd

@@ -8,13 +8,18 @@
 
 namespace dgd {
 
+/// Directions with a smaller part in the disc's plane are orthogonal to it. Their squares keep all digits.
+/// Test: Cylinder.Support_StaysOnDiscWhereSquaresUnderflow.
+template <class S>
+inline constexpr S kSmallestLateral = sizeof(S) == 8 ? S(1e-145) : S(1e-15);
+
 /// The point of the disc of `radius` about (0, 0, z) farthest along `direction`; its centre's +x side if the direction
 /// has no part in the disc's plane.
 template <class S>
 Vector3<S> DiscSupport(const Vector3<S>& direction, S radius, S z) {
   const S lateral = std::sqrt(direction.x() * direction.x() + direction.y() * direction.y());
-  // False for NaN, and where squaring underflowed: any rim point is as high as another then, up to rounding.
-  if (!(lateral > 0)) return {radius, 0, z};
+  // False for NaN, and where squaring underflows and loses digits: any rim point is as high as another then.
+  if (!(lateral > kSmallestLateral<S>)) return {radius, 0, z};
   const S scale = radius / lateral;
   return {direction.x() * scale, direction.y() * scale, z};
 }

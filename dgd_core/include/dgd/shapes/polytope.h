@@ -111,9 +111,12 @@ void Polytope<S>::SupportFace(const Vector3<S>& direction, SupportingFace<S>& fa
   }
   const int begin = hull_.facet_start[static_cast<std::size_t>(best_facet)];
   const int count = hull_.facet_start[static_cast<std::size_t>(best_facet) + 1] - begin;
+  // Thinned from the support vertex on, which stays.
+  int first = 0;
+  while (hull_.facet_vertices[static_cast<std::size_t>(begin + first)] != vertex) ++first;
   const int kept = std::min(count, SupportingFace<S>::kMaxPoints);
   for (int i = 0; i < kept; ++i) {
-    face.Add(vertices_[hull_.facet_vertices[static_cast<std::size_t>(begin + i * count / kept)]]);
+    face.Add(vertices_[hull_.facet_vertices[static_cast<std::size_t>(begin + (first + i * count / kept) % count)]]);
   }
 }
 

@@ -20,7 +20,9 @@ class Segment {
     const VertexId end = direction.z() < 0;
     return {Vertex(end), end};
   }
-  Vector3<S> Center() const { return Vector3<S>::Zero(); }
+  Vector3<S> Center() const { return {0, 0, center_z_}; }
+  /// See CenteredCore.
+  void MoveCenterNear(const Vector3<S>& point) { center_z_ = std::clamp(point.z(), -half_length_, half_length_); }
   S Inradius() const { return 0; }
 
   Vector3<S> Vertex(VertexId end) const { return {0, 0, end == 0 ? half_length_ : -half_length_}; }
@@ -38,6 +40,7 @@ class Segment {
 
  private:
   S half_length_;
+  S center_z_ = 0;
 };
 
 }  // namespace dgd

@@ -10,10 +10,12 @@
 namespace dgd {
 
 /// The point of triangle (a, b, c) nearest to `point`, which may be degenerate: to a segment or a point.
-/// The plane's interior first, then the three edges; the naive order, kept for its certainty: only certificates use it.
+/// The plane's interior and the three edges, all of them: on a sliver, the plane's answer has lost its digits and an
+/// edge is nearer. The naive way, kept for its certainty.
 template <class S>
 Vector3<S> ClosestPointOnTriangle(const Vector3<S>& point, const Vector3<S>& a, const Vector3<S>& b,
                                   const Vector3<S>& c) {
+  Vector3<S> nearest = a;
   const Vector3<S> normal = (b - a).cross(c - a);
   const S area_sq = normal.squaredNorm();
   if (area_sq > 0) {
@@ -21,10 +23,9 @@ Vector3<S> ClosestPointOnTriangle(const Vector3<S>& point, const Vector3<S>& a, 
     const S weight_b = normal.dot((c - point).cross(a - point));
     const S weight_c = normal.dot((a - point).cross(b - point));
     if (weight_a >= 0 && weight_b >= 0 && weight_c >= 0) {
-      return point - normal * (normal.dot(point - a) / area_sq);
+      nearest = point - normal * (normal.dot(point - a) / area_sq);
     }
   }
-  Vector3<S> nearest = a;
   const std::array<const Vector3<S>*, 4> loop{&a, &b, &c, &a};
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector3<S> edge = *loop[i + 1] - *loop[i];
@@ -44,7 +45,8 @@ class Triangle {
   /// @param a, b, c  Corners, metres; collinear or equal corners are allowed and make a segment or a point.
   Triangle(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c)
       : corners_{RequireFinite(a, "triangle corner"), RequireFinite(b, "triangle corner"),
-                 RequireFinite(c, "triangle corner")} {}
+                 RequireFinite(c, "triangle corner")},
+        center_((a + b + c) / S(3)) {}
 
   SupportPoint<S> Support(const Vector3<S>& direction) const {
     const S height_0 = direction.dot(corners_[0]);
@@ -53,8 +55,12 @@ class Triangle {
     const VertexId best = height_0 >= height_1 ? (height_0 >= height_2 ? 0 : 2) : (height_1 >= height_2 ? 1 : 2);
     return {corners_[best], best};
   }
-  Vector3<S> Center() const { return (corners_[0] + corners_[1] + corners_[2]) / S(3); }
+  const Vector3<S>& Center() const { return center_; }
   S Inradius() const { return 0; }
+  /// See CenteredCore. The partner's interior, or a radius, makes up for a centre on the border.
+  void MoveCenterNear(const Vector3<S>& point) {
+    center_ = ClosestPointOnTriangle(point, corners_[0], corners_[1], corners_[2]);
+  }
 
   const Vector3<S>& Vertex(VertexId corner) const { return corners_[corner]; }
   VertexId VertexCount() const { return 3; }
@@ -70,6 +76,7 @@ class Triangle {
 
  private:
   std::array<Vector3<S>, 3> corners_;
+  Vector3<S> center_;
 };
 
 }  // namespace dgd
