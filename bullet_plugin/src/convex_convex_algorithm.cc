@@ -8,6 +8,7 @@
 #include <exception>
 
 #include "manifold_writer.h"
+#include "pair_impact.h"
 #include "pair_motion.h"
 #include "pair_patch.h"
 #include "pair_solver.h"
@@ -77,13 +78,10 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
                                                                const btDispatcherInfo& info,
                                                                btManifoldResult& output) try {
   const Options& options = narrowphase_.options();
-  const PosedShape shape_a = AdaptShape(ShapeOf(body_0), body_0->getWorldTransform(), narrowphase_.hulls(), hull_0_);
-  const PosedShape shape_b = AdaptShape(ShapeOf(body_1), body_1->getWorldTransform(), narrowphase_.hulls(), hull_1_);
-  // A shared manifold is refreshed by whoever shares it, and loses far points there.
-  const PairMotion motion =
-      speculative_ && owns_manifold_
-          ? PairMotion(*body_0->getCollisionObject(), *body_1->getCollisionObject(), double(info.m_timeStep))
-          : PairMotion();
+  PosedShape shape_a = AdaptShape(ShapeOf(body_0), body_0->getWorldTransform(), narrowphase_.hulls(), hull_0_);
+  PosedShape shape_b = AdaptShape(ShapeOf(body_1), body_1->getWorldTransform(), narrowphase_.hulls(), hull_1_);
+  MoveCentersTogether(shape_a, shape_b);
+  const PairMotion motion = MotionToMeet(*body_0->getCollisionObject(), *body_1->getCollisionObject(), info);
   const double breaking_threshold = double(manifold_->getContactBreakingThreshold());
   const double contact_distance = breaking_threshold + double(output.m_closestPointDistanceThreshold);
 
@@ -96,14 +94,27 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
   dgd::ContactPatch<double> patch;
   if (result.status != dgd::Status::kSeparated) {
     if (!IsCertified(result)) return result.status;
-    patch = options.contact_patch ? FindPatch(shape_a, shape_b, result, contact_distance, breaking_threshold, motion)
-                                  : WitnessOnly(result);
+    const bool is_near = result.separation <= contact_distance;
+    if (!options.contact_patch) {
+      patch = WitnessOnly(result);
+    } else if (is_near || TouchWithinStep(shape_a, shape_b, result, motion)) {
+      patch = FindPatch(shape_a, shape_b, result, contact_distance, breaking_threshold, motion);
+    }
   }
   WriteContacts(patch, result.normal, output);
   return std::nullopt;
 } catch (const std::exception&) {
   // A shape that is not one: NaN or infinite sizes, no points, no memory for its hull.
   return dgd::Status::kInvalidInput;
+}
+
+PairMotion ConvexConvexAlgorithm::MotionToMeet(const btCollisionObject& object_0, const btCollisionObject& object_1,
+                                               const btDispatcherInfo& info) const {
+  // A shared manifold is refreshed by whoever shares it, and loses far points there. A contact that is met early takes
+  // its part of the step from the speed of the rebound.
+  const bool meets =
+      speculative_ && owns_manifold_ && !(btManifoldResult::calculateCombinedRestitution(&object_0, &object_1) > 0);
+  return meets ? PairMotion(object_0, object_1, double(info.m_timeStep)) : PairMotion();
 }
 
 void ConvexConvexAlgorithm::WriteContacts(const dgd::ContactPatch<double>& patch, const Vector3& normal,

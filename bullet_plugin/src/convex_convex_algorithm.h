@@ -15,6 +15,7 @@
 #include "dgd/growth_distance.h"
 #include "hull_cache.h"
 #include "narrowphase.h"
+#include "pair_motion.h"
 #include "shape_adapter.h"
 
 namespace dgd_bullet {
@@ -44,6 +45,10 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   std::optional<dgd::Status> FindContacts(const btCollisionObjectWrapper* body_0,
                                           const btCollisionObjectWrapper* body_1, const btDispatcherInfo& info,
                                           btManifoldResult& output);
+
+  /// The bodies' motion as far as contacts may meet it before they touch; at rest if none may.
+  PairMotion MotionToMeet(const btCollisionObject& object_0, const btCollisionObject& object_1,
+                          const btDispatcherInfo& info) const;
 
   /// Makes the manifold's points those of the patch, through the output.
   void WriteContacts(const dgd::ContactPatch<double>& patch, const Vector3& normal, btManifoldResult& output);

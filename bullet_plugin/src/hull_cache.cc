@@ -11,28 +11,16 @@
 namespace dgd_bullet {
 namespace {
 
-/// Hulls up to this size, in bytes of their points, are compared whole, in about 20 ns.
-constexpr std::size_t kComparedBytes = 1024;
-/// Points compared of larger ones.
-constexpr int kSamples = 16;
-
-bool IsComparedWhole(const ShapePoints& points) {
-  return points.Bytes() != nullptr && points.ByteSize() <= kComparedBytes;
-}
-
-/// Index of the i-th sample out of `count` points.
-int SampleIndex(int i, int count) { return static_cast<int>(static_cast<long long>(i) * count / kSamples); }
-
 std::vector<unsigned char> CopyBytes(const ShapePoints& points) {
-  if (!IsComparedWhole(points)) return {};
+  if (points.Bytes() == nullptr) return {};
   return {points.Bytes(), points.Bytes() + points.ByteSize()};
 }
 
-std::vector<Vector3> CopySamples(const ShapePoints& points) {
-  std::vector<Vector3> samples;
-  if (IsComparedWhole(points) || points.Count() == 0) return samples;
-  for (int i = 0; i < kSamples; ++i) samples.push_back(points[SampleIndex(i, points.Count())]);
-  return samples;
+std::vector<Vector3> CopyPoints(const ShapePoints& points) {
+  std::vector<Vector3> copies;
+  if (points.Bytes() != nullptr) return copies;
+  for (int i = 0; i < points.Count(); ++i) copies.push_back(points[i]);
+  return copies;
 }
 
 }  // namespace
@@ -42,7 +30,7 @@ CachedHull::CachedHull(const btConvexShape& shape)
       count_(ShapePoints(shape).Count()),
       scaling_(ShapePoints(shape).Scaling()),
       bytes_(CopyBytes(ShapePoints(shape))),
-      samples_(CopySamples(ShapePoints(shape))),
+      points_(CopyPoints(ShapePoints(shape))),
       core_(AllPoints(shape)) {}
 
 bool CachedHull::Matches(const btConvexShape& shape) const {
@@ -50,11 +38,13 @@ bool CachedHull::Matches(const btConvexShape& shape) const {
   const ShapePoints points(shape);
   if (points.Count() != count_ || !(points.Scaling() == scaling_)) return false;
   if (!bytes_.empty()) {
-    return points.ByteSize() == bytes_.size() && std::memcmp(points.Bytes(), bytes_.data(), bytes_.size()) == 0;
+    // Another type of shape, which has no array, may have taken the address.
+    return points.Bytes() != nullptr && points.ByteSize() == bytes_.size() &&
+           std::memcmp(points.Bytes(), bytes_.data(), bytes_.size()) == 0;
   }
-  for (int i = 0; i < static_cast<int>(samples_.size()); ++i) {
+  for (int i = 0; i < count_; ++i) {
     // False for NaN: such a shape is never cached.
-    if (!(points[SampleIndex(i, count_)] == samples_[static_cast<std::size_t>(i)])) return false;
+    if (!(points[i] == points_[static_cast<std::size_t>(i)])) return false;
   }
   return true;
 }

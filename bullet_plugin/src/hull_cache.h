@@ -1,8 +1,8 @@
 // Hulls of Bullet's point shapes: built once per shape, shared between its pairs, found again by address and content.
 //
 // Bullet tells nobody when a shape changes or dies, and a new one may take its address. A hull is therefore only used
-// after its shape has been compared with what the hull was made from: number of points, scaling, and the points
-// themselves; of large hulls, evenly spread ones, so that the comparison stays cheap beside a query.
+// after its shape has been compared with what the hull was made from: number of points, scaling, and every point, which
+// costs less than one evaluation of the support function.
 #pragma once
 
 #include <cstddef>
@@ -33,8 +33,8 @@ class CachedHull {
   const btConvexShape* shape_;
   int count_;
   btVector3 scaling_;
-  std::vector<unsigned char> bytes_;  // Of all points, for small hulls kept in an array ...
-  std::vector<Vector3> samples_;      // ... else some of the points, scaled.
+  std::vector<unsigned char> bytes_;  // The points as they lie in memory, where they are an array ...
+  std::vector<Vector3> points_;       // ... else each of them, scaled.
   dgd::Polytope<double> core_;
 };
 

@@ -4,6 +4,8 @@
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include <Eigen/Geometry>
+
 namespace dgd_bullet {
 namespace {
 
@@ -20,22 +22,27 @@ double Reach(const btCollisionObject& object, const Vector3& center) {
 
 }  // namespace
 
-PairMotion::Twist PairMotion::Read(const btCollisionObject& object, double& rim_speed) {
+PairMotion::Twist PairMotion::Read(const btCollisionObject& object) {
   const btRigidBody* body = btRigidBody::upcast(&object);
   if (body == nullptr || body->isStaticObject()) return {};
   // The centre of mass is the origin of the world transform.
   const Twist twist{FromBullet(body->getLinearVelocity()), FromBullet(body->getAngularVelocity()),
                     FromBullet(body->getWorldTransform().getOrigin())};
-  rim_speed += twist.angular.norm() * Reach(object, twist.center);
+  rim_speed_ += twist.angular.norm() * Reach(object, twist.center);
   return twist;
+}
+
+Pose PairMotion::Twist::Moved(const Pose& pose, double time) const {
+  const double speed = angular.norm();
+  const Matrix3 turn =
+      speed > 0 ? Eigen::AngleAxisd(speed * time, angular / speed).toRotationMatrix() : Matrix3(Matrix3::Identity());
+  return {turn * pose.rotation, center + time * linear + turn * (pose.translation - center)};
 }
 
 PairMotion::PairMotion(const btCollisionObject& body_a, const btCollisionObject& body_b, double time_step)
     : time_step_(time_step) {
-  double rim_speed = 0;
-  a_ = Read(body_a, rim_speed);
-  b_ = Read(body_b, rim_speed);
-  max_approach_ = time_step * ((b_.linear - a_.linear).norm() + rim_speed);
+  a_ = Read(body_a);
+  b_ = Read(body_b);
 }
 
 }  // namespace dgd_bullet

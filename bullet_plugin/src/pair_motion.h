@@ -21,24 +21,33 @@ class PairMotion {
     return time_step_ * normal.dot(a_.VelocityAt(point) - b_.VelocityAt(point));
   }
 
-  /// No point of either body approaches the other by more than this, metres.
-  double MaxApproach() const { return max_approach_; }
+  /// No point of either body approaches the other by more than this: along `normal` (unit, from A to B), or at all.
+  /// Metres.
+  double MaxApproach(const Vector3& normal) const {
+    return time_step_ * (normal.dot(a_.linear - b_.linear) + rim_speed_);
+  }
+  double MaxApproach() const { return time_step_ * ((a_.linear - b_.linear).norm() + rim_speed_); }
+
+  /// Where a pose that is fixed to a body is after a part of the time step, in [0, 1].
+  Pose MovedA(const Pose& pose, double part) const { return a_.Moved(pose, part * time_step_); }
+  Pose MovedB(const Pose& pose, double part) const { return b_.Moved(pose, part * time_step_); }
 
  private:
   struct Twist {
     Vector3 VelocityAt(const Vector3& point) const { return linear + angular.cross(point - center); }
+    Pose Moved(const Pose& pose, double time) const;
 
     Vector3 linear = Vector3::Zero();   // Of the centre of mass, metres per second.
     Vector3 angular = Vector3::Zero();  // Radians per second.
     Vector3 center = Vector3::Zero();   // World, metres.
   };
 
-  /// The twist of a body; adds its farthest point's speed by rotation alone to `rim_speed`.
-  static Twist Read(const btCollisionObject& body, double& rim_speed);
+  /// The twist of a body; adds its farthest point's speed by rotation alone to the rim speed.
+  Twist Read(const btCollisionObject& body);
 
   Twist a_, b_;
   double time_step_ = 0;
-  double max_approach_ = 0;
+  double rim_speed_ = 0;  // Of both bodies' farthest points by rotation alone, summed.
 };
 
 }  // namespace dgd_bullet

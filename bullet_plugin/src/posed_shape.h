@@ -27,4 +27,7 @@ struct PosedShape {
   Pose pose;  ///< Of the set's own frame (z is the axis of round shapes) in the world.
 };
 
+/// Moves the shapes' centres near to each other, where their cores allow it (dgd::CenteredCore).
+void MoveCentersTogether(PosedShape& shape_a, PosedShape& shape_b);
+
 }  // namespace dgd_bullet

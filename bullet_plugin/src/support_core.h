@@ -32,9 +32,7 @@ class SupportCore {
   double Accuracy() const { return accuracy_; }
 
   /// Nothing is known of its faces.
-  void SupportFace(const Vector3& direction, dgd::SupportingFace<double>& face) const {
-    face.Add(Support(direction).point);
-  }
+  void SupportFace(const Vector3&, dgd::SupportingFace<double>&) const {}
 
  private:
   const void* object_;

@@ -152,7 +152,8 @@ TEST_F(ManifoldContent, CapsulesCrossingAtASmallAngle_NoOverlapWhereThereIsNone)
       // The exact overlap of the two around that place.
       const double lateral = 2 * std::abs(contact.on_b.x()) * std::tan(degrees / 2 * kPi / 180);
       EXPECT_GE(contact.depth, std::hypot(0.039, lateral) - 0.04 - kLength);
-      EXPECT_LE(std::abs(Outside(pair.B(), contact.on_b)), kLength + 1e-4);
+      // Half way between two places that are beside each other, not above.
+      EXPECT_LE(std::abs(Outside(pair.B(), contact.on_b)), kLength + 1e-4 + 0.2 * std::abs(contact.depth));
     }
   }
 }
@@ -283,7 +284,7 @@ TEST_F(ManifoldContent, SwappedBodies_SamePatchSeenFromTheOtherSide) {
       const std::vector<Contact> contacts = straight.Step(), mirrored = swapped.Step();
       ASSERT_EQ(contacts.size(), mirrored.size());
       // Curved shapes stop within the solver's tolerance, and Bullet's own support functions within their rounding.
-      constexpr double kAngle = 1e-3, kPlace = 1e-3, kDepth = 2e-5;
+      constexpr double kAngle = 1e-3, kPlace = 1e-3, kDepth = 1e-4;
       for (const Contact& contact : contacts) {
         const auto nearest =
             std::min_element(mirrored.begin(), mirrored.end(), [&](const Contact& x, const Contact& y) {

@@ -18,7 +18,8 @@ struct Options {
 
   /// In a dynamics world, also hand over points that are still farther apart than Bullet's contact breaking threshold
   /// if the bodies' velocities make them touch within the time step: fast impacts are then met, not found when the
-  /// bodies already overlap. Needs contact_patch. contactTest() and its like never see such points.
+  /// bodies already overlap. Needs contact_patch. Bodies that rebound (combined restitution above 0) are not met early,
+  /// so that they rebound as high as with Bullet; contactTest() and its like never see such points.
   bool speculative_contacts = true;
 };
 

@@ -1,0 +1,21 @@
+// Whether two bodies that are apart really meet within the time step.
+#pragma once
+
+#include "dgd/growth_distance.h"
+#include "pair_motion.h"
+#include "posed_shape.h"
+
+namespace dgd_bullet {
+
+/// True if the bodies, moving on as they do, touch within the time step, and the plane between them now is about the
+/// one on which they then touch. Their approach along that plane's normal alone does not say so: a body that flies past
+/// an edge approaches it too, and a contact would deflect it.
+///
+/// Conservative advancement: along the normal of a separating plane, the bodies need at least the plane's separation
+/// over their greatest speed of approach to meet; they are moved on by that time, and asked again. Misses may be
+/// reported for bodies that turn fast, hits never for bodies that part.
+/// @param result  Of the shapes in their present poses; apart.
+bool TouchWithinStep(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Result<double>& result,
+                     const PairMotion& motion);
+
+}  // namespace dgd_bullet

@@ -1,0 +1,29 @@
+#include "posed_shape.h"
+
+namespace dgd_bullet {
+namespace {
+
+Vector3 CenterOf(const PosedShape& shape) {
+  return std::visit([&](const auto& set) -> Vector3 { return shape.pose * set.core.Center(); }, shape.set);
+}
+
+void MoveCenterNear(const Vector3& point, PosedShape& shape) {
+  std::visit(
+      [&](auto& set) {
+        if constexpr (dgd::CenteredCore<std::remove_cvref_t<decltype(set.core)>>) {
+          set.core.MoveCenterNear(shape.pose.rotation.transpose() * (point - shape.pose.translation));
+        }
+      },
+      shape.set);
+}
+
+}  // namespace
+
+void MoveCentersTogether(PosedShape& shape_a, PosedShape& shape_b) {
+  // Both from where they were, so that the order of the two does not matter.
+  const Vector3 center_a = CenterOf(shape_a), center_b = CenterOf(shape_b);
+  MoveCenterNear(center_b, shape_a);
+  MoveCenterNear(center_a, shape_b);
+}
+
+}  // namespace dgd_bullet
