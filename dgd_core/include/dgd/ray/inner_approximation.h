@@ -236,7 +236,8 @@ class InnerApproximation {
 
   /// As TriangleExit(), for slivers and for rays along a border: the basis changes there by the last digits, and all
   /// triangles on an edge must agree about the side of it on which the ray is.
-  bool SliverExit(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, Exit& exit) const {
+  [[gnu::cold, gnu::noinline]] bool SliverExit(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c,
+                                               Exit& exit) const {
     const SliverNormal normal(a, b, c);
     exit.normal = normal.cross;
     if (!PointUpwards(exit.normal)) return false;

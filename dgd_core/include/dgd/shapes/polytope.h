@@ -111,13 +111,16 @@ void Polytope<S>::SupportFace(const Vector3<S>& direction, SupportingFace<S>& fa
   }
   const int begin = hull_.facet_start[static_cast<std::size_t>(best_facet)];
   const int count = hull_.facet_start[static_cast<std::size_t>(best_facet) + 1] - begin;
+  const VertexId* facet_vertices = hull_.facet_vertices.data() + begin;
+  constexpr int kMaxPoints = SupportingFace<S>::kMaxPoints;
+  if (count <= kMaxPoints) {
+    for (int i = 0; i < count; ++i) face.Add(vertices_[facet_vertices[i]]);
+    return;
+  }
   // Thinned from the support vertex on, which stays.
   int first = 0;
-  while (hull_.facet_vertices[static_cast<std::size_t>(begin + first)] != vertex) ++first;
-  const int kept = std::min(count, SupportingFace<S>::kMaxPoints);
-  for (int i = 0; i < kept; ++i) {
-    face.Add(vertices_[hull_.facet_vertices[static_cast<std::size_t>(begin + (first + i * count / kept) % count)]]);
-  }
+  while (facet_vertices[first] != vertex) ++first;
+  for (int i = 0; i < kMaxPoints; ++i) face.Add(vertices_[facet_vertices[(first + i * count / kMaxPoints) % count]]);
 }
 
 }  // namespace dgd
