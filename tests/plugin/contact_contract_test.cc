@@ -31,8 +31,8 @@ constexpr double kLength = 1e-7 + kRounding;
 /// The patch drops the witness for a corner that is as deep within this part of the contact distance, at most 2 cm
 /// here (contact_patch.h).
 constexpr double kAsDeep = 1e-3 * 0.02;
-/// Part of a depth by which a point may be off a surface.
-constexpr double kBeside = 0.75;
+/// Part of a depth by which a point may be off a surface, in the worst case: bodies deep inside each other.
+constexpr double kBeside = 1;
 
 /// Where the two bodies stand. The signed distance is exact for all but kDeep.
 enum class Nearness { kApart, kTouching, kShallow, kDeep };

@@ -77,6 +77,21 @@ void CheckCenter(const Core& core, const ReferenceSet& reference, Random& random
   }
 }
 
+/// Wherever it is moved, the centre keeps the ball about it inside, and comes no farther from the point than it was.
+template <dgd::CenteredCore Core>
+void CheckMovedCenter(const Core& core, const ReferenceSet& reference, Random& random) {
+  using S = typename Core::Scalar;
+  for (const double distance : {0.0, 0.3, 1.0, 30.0}) {
+    const Eigen::Vector3d offset = distance * reference.Extent() * random.UnitVector();
+    const dgd::Vector3<S> point = core.Center() + offset.template cast<S>();
+    Core moved = core;
+    moved.MoveCenterNear(point);
+    CheckCenter(moved, reference, random);
+    EXPECT_LE(double((moved.Center() - point).norm()),
+              double((core.Center() - point).norm()) + Rounding<S>(reference) * (1 + distance));
+  }
+}
+
 /// From a support point outwards along its normal, the distance is the length of the way; and inside it is 0.
 template <class Core>
 void CheckDistance(const Core& core, const ReferenceSet& reference, Random& random) {
@@ -121,6 +136,7 @@ void CheckShape(const Core& core, const ReferenceSet& reference, double discreti
   Random random(TestSeed());
   CheckSupport(core, reference, random);
   CheckCenter(core, reference, random);
+  if constexpr (dgd::CenteredCore<Core>) CheckMovedCenter(core, reference, random);
   CheckDistance(core, reference, random);
   CheckSupportFace(core, reference, discretisation, random);
 }

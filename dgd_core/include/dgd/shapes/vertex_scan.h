@@ -1,8 +1,12 @@
 // Index of the point farthest along a direction, among points stored by coordinate.
 #pragma once
 
+#include <emmintrin.h>
+
 #include <algorithm>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -41,8 +45,24 @@ class PointArrays {
  private:
   typedef S Lanes __attribute__((vector_size(16)));
 
-  /// Points scanned at once: their heights stay on the stack until the highest one's place is known.
+  /// Points scanned at once: their heights stay on the stack until the highest one's place is known. As many as a mask
+  /// has bits.
   static constexpr std::size_t kChunk = 64;
+
+  /// A bit per lane of a block that equals the value, the first lane's lowest.
+  static std::uint64_t LanesEqualTo(S value, const Lanes* block) {
+    const Lanes values = value - Lanes{};
+    if constexpr (sizeof(S) == sizeof(double)) {
+      const __m128 low = _mm_castpd_ps(_mm_cmpeq_pd(block[0], values));
+      const __m128 high = _mm_castpd_ps(_mm_cmpeq_pd(block[1], values));
+      return static_cast<std::uint64_t>(_mm_movemask_ps(_mm_shuffle_ps(low, high, _MM_SHUFFLE(2, 0, 2, 0))));
+    } else {
+      const __m128i low = _mm_castps_si128(_mm_cmpeq_ps(block[0], values));
+      const __m128i high = _mm_castps_si128(_mm_cmpeq_ps(block[1], values));
+      const __m128i halves = _mm_packs_epi32(low, high);
+      return static_cast<std::uint64_t>(_mm_movemask_epi8(_mm_packs_epi16(halves, _mm_setzero_si128())));
+    }
+  }
 
   std::size_t size_;
   std::size_t padded_;
@@ -82,9 +102,10 @@ VertexId PointArrays<S>::Farthest(const Vector3<S>& direction) const {
     for (std::size_t lane = 1; lane < kLanes; ++lane) top = even[lane] > top ? even[lane] : top;
     if (!(top > highest)) continue;
     highest = top;
-    std::size_t place = 0;
-    while (heights[place / kLanes][place % kLanes] != top) ++place;
-    farthest = begin + place;
+    // As a mask: where a search would stop is what no branch predictor knows.
+    std::uint64_t at_top = 0;
+    for (std::size_t i = 0; i < vectors; i += 2) at_top |= LanesEqualTo(top, &heights[i]) << (i * kLanes);
+    farthest = begin + static_cast<std::size_t>(std::countr_zero(at_top));
   }
   return static_cast<VertexId>(farthest < size_ ? farthest : 0);
 }
