@@ -315,15 +315,6 @@ TEST_P(GroundOfTriangles, HugeTriangles_ShapesComeToRestBesideTheEdge) {
   EXPECT_EQ(world_.statistics().Fallbacks(), 0U);
 }
 
-// Or one plate, wide and thin: scaled about its middle, it would draw back its border under the bodies beside it.
-TEST_P(GroundOfTriangles, WidePlate_ShapesComeToRestBesideItsBorder) {
-  constexpr double kHalfWidth = 100;
-  world_.Add(world_.Make<btBoxShape>(Vec(kHalfWidth, kHalfWidth, 0.1)), 0,
-             Vec(kHalfWidth - 4.5, kHalfWidth - 4.5, -0.1));
-  ExpectRestOnGround(world_, 0, 0.23);
-  EXPECT_EQ(world_.statistics().Fallbacks(), 0U);
-}
-
 TEST_P(GroundOfTriangles, TriangleMeshWithMargin_ShapesComeToRest) {
   // Less than the breaking threshold: Bullet's early-out looks at the triangle without its margin (bullet3 issue 4263).
   btBvhTriangleMeshShape& ground = MakeMeshGround(world_, 12, 12);
