@@ -1,10 +1,11 @@
 #include "options.h"
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <iostream>
 #include <map>
 #include <string>
+
+#include "seed_option.h"
 
 namespace dgd_demos {
 namespace {
@@ -54,14 +55,6 @@ std::filesystem::path FindDefaultScene() {
   return kDefaultScene;  // Its absence is then reported like that of any other scene file.
 }
 
-// CLI11 itself wraps a negative number around and cuts off a large one.
-std::string CheckSeed(const std::string& text) {
-  std::uint64_t seed = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-  const bool is_seed = error == std::errc() && end == text.data() + text.size();
-  return is_seed ? "" : "must be an integer from 0 to 18446744073709551615, not " + text;
-}
-
 }  // namespace
 
 std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
@@ -82,10 +75,7 @@ std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* 
       ->check(CLI::IsMember(choices).description(""))
       ->type_name("WHICH")
       ->capture_default_str();
-  app.add_option("--seed", options.seed, "Seed of the random bodies")
-      ->type_name("N")
-      ->check(CLI::Validator(CheckSeed, ""))
-      ->capture_default_str();
+  AddSeedOption(app, options.seed, "Seed of the random bodies");
   app.add_option("--out", options.out, "Folder for the results; made if missing")
       ->type_name("DIR")
       ->capture_default_str();

@@ -12,8 +12,8 @@ namespace dgd_bullet {
 /// an edge approaches it too, and a contact would deflect it.
 ///
 /// Conservative advancement: along the normal of a separating plane, the bodies need at least the plane's separation
-/// over their greatest speed of approach to meet; they are moved on by that time, and asked again. Misses may be
-/// reported for bodies that turn fast, hits never for bodies that part.
+/// over their greatest speed of approach to meet; they are moved on by that time, and asked again. Bodies that turn
+/// fast may be missed; bodies that come nearer than a hundredth of their first separation count as touching.
 /// @param result  Of the shapes in their present poses; apart.
 bool TouchWithinStep(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Result<double>& result,
                      const PairMotion& motion);

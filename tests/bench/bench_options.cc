@@ -1,10 +1,11 @@
 #include "bench/bench_options.h"
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <iostream>
 #include <map>
 #include <string>
+
+#include "seed_option.h"
 
 namespace dgd_bench {
 namespace {
@@ -40,14 +41,6 @@ constexpr double kMaxMargin = kHullDiameter / 2;
 
 const std::map<std::string, DistanceOf> kDistanceNames = {{"sets", DistanceOf::kSets}, {"cores", DistanceOf::kCores}};
 
-// CLI11 itself wraps a negative number around and cuts off a large one.
-std::string CheckSeed(const std::string& text) {
-  std::uint64_t seed = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-  const bool is_seed = error == std::errc() && end == text.data() + text.size();
-  return is_seed ? "" : "must be an integer from 0 to 18446744073709551615, not " + text;
-}
-
 }  // namespace
 
 const char* NameOf(DistanceOf distance_of) { return distance_of == DistanceOf::kSets ? "sets" : "cores"; }
@@ -63,10 +56,7 @@ std::variant<BenchOptions, ExitStatus> ParseCommandLine(int argc, const char* co
       ->type_name("N")
       ->check(CLI::Range(1, kMaxPairs).description(""))
       ->capture_default_str();
-  app.add_option("--seed", options.seed, "Seed of the random pairs")
-      ->type_name("N")
-      ->check(CLI::Validator(CheckSeed, ""))
-      ->capture_default_str();
+  dgd_demos::AddSeedOption(app, options.seed, "Seed of the random pairs");
   app.add_option("--margin", options.margins, "Margins in m, one table each")
       ->type_name("M")
       ->check(CLI::Range(0.0, kMaxMargin).description(""))

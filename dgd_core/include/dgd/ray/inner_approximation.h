@@ -32,6 +32,7 @@
 
 #include "dgd/ray/minkowski_difference.h"
 #include "dgd/ray/tolerances.h"
+#include "dgd/ray/triangle_crossing.h"
 
 namespace dgd {
 
@@ -114,16 +115,12 @@ class InnerApproximation {
     int size = 0;
   };
 
-  static S Cross(const Vector3<S>& a, const Vector3<S>& b) { return a.x() * b.y() - a.y() * b.x(); }
-
   template <class Part>
   Vector3<S> Combine(Part part) const {
     Vector3<S> sum = weights_[0] * part(points_[0]);
     for (std::size_t i = 1; i < static_cast<std::size_t>(size_); ++i) sum += weights_[i] * part(points_[i]);
     return sum;
   }
-
-  static S LateralL1(const Vector3<S>& a) { return std::abs(a.x()) + std::abs(a.y()); }
 
   /// Turns a triangle's normal upwards and to unit length; false if the ray sees the triangle edge-on.
   static bool PointUpwards(Vector3<S>& normal) {
@@ -132,85 +129,6 @@ class InnerApproximation {
     normal *= std::copysign(1 / length, normal.z());
     return normal.z() > 0;
   }
-
-  enum class Crossing { kNo, kYes, kUncertain };
-
-  /// Barycentric weights of the ray in a triangle seen along it, the plain way: uncertain where the ray passes an edge
-  /// within rounding.
-  /// @param rounding  Of twice an area, square metres.
-  static Crossing Weigh(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, S rounding,
-                        std::array<S, 3>& weights) {
-    weights = {Cross(b, c), Cross(c, a), Cross(a, b)};
-    const S per_area = 1 / (weights[0] + weights[1] + weights[2]);
-    for (S& weight : weights) weight *= per_area;
-    const S least = std::min({weights[0], weights[1], weights[2]});
-    const S uncertainty = rounding * std::abs(per_area);
-    return least > uncertainty ? Crossing::kYes : least < -uncertainty ? Crossing::kNo : Crossing::kUncertain;
-  }
-
-  /// Twice the signed area of the ray and an edge seen along the ray, counterclockwise positive, and what its rounding
-  /// error is epsilon times of. From the corner opposite the longest side of the three, so that neither two far points
-  /// close together nor one far and one near point cost digits. Depends on the edge alone: neighbouring triangles agree
-  /// about which side of it the ray is on.
-  struct EdgeArea {
-    EdgeArea(const Vector3<S>& a, const Vector3<S>& b) {
-      const Vector3<S> d = b - a;
-      const S length_a = LateralL1(a), length_b = LateralL1(b), length_d = LateralL1(d);
-      length = length_d;
-      if (length_d >= length_a && length_d >= length_b) {
-        value = Cross(a, b);
-        scale = length_a * length_b;
-      } else if (length_a >= length_b) {
-        value = Cross(b, d);
-        scale = length_b * length_d;
-      } else {
-        value = Cross(a, d);
-        scale = length_a * length_d;
-      }
-    }
-    S value, scale, length;
-  };
-
-  /// As Weigh(), for slivers: one long side and little area, where plain sums and differences lose most digits.
-  /// @param area          Twice the triangle's seen along the ray: from its sides, since the three edge areas may
-  /// cancel.
-  /// @param border_error  How far the border may be off, metres.
-  static bool WeighSliver(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, S area, S border_error,
-                          std::array<S, 3>& weights) {
-    const EdgeArea edges[3] = {{b, c}, {c, a}, {a, b}};
-    const S sign = edges[0].value + edges[1].value + edges[2].value < 0 ? S(-1) : S(1);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const S slack = kWeightSlack<S> * edges[k].scale + border_error * edges[k].length;
-      if (!(sign * edges[k].value >= -slack)) return false;
-      weights[k] = std::max(S(0), sign * edges[k].value / area);
-    }
-    // The weights' sum carries the error of the least certain ones; they share it, so that the rest keep their digits.
-    std::size_t first = edges[0].scale >= edges[1].scale ? 0 : 1, second = 1 - first;
-    if (edges[2].scale > edges[second].scale) second = 2;
-    if (edges[second].scale > edges[first].scale) std::swap(first, second);
-    const S others = weights[3 - first - second];
-    weights[first] = 1 - others - weights[second];
-    if (weights[first] < 0) {
-      weights[first] = 0;
-      weights[second] = std::max(S(0), 1 - others);
-    }
-    return true;
-  }
-
-  /// Normal of a sliver, from the corner opposite its longest side; see EdgeArea.
-  struct SliverNormal {
-    SliverNormal(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c) {
-      const Vector3<S> ab = b - a, bc = c - b, ca = a - c;
-      const S length_ab = ab.squaredNorm(), length_bc = bc.squaredNorm(), length_ca = ca.squaredNorm();
-      const S longest = std::max({length_ab, length_bc, length_ca});
-      const bool is_ab = longest == length_ab, is_bc = !is_ab && longest == length_bc;
-      cross = is_ab ? bc.cross(ca) : is_bc ? ca.cross(ab) : ab.cross(bc);
-      const S short_sides_sq = is_ab ? length_bc * length_ca : is_bc ? length_ca * length_ab : length_ab * length_bc;
-      error = kWeightSlack<S> * std::sqrt(short_sides_sq / cross.squaredNorm());
-    }
-    Vector3<S> cross;  // As long as twice the sliver's area.
-    S error;           // Of the unit normal, radians: the flatter the corner, the larger.
-  };
 
   /// Offset triangle: the plane through a, b and c, moved by R along its normal; false if the ray passes it by, or sees
   /// it edge-on. Computed the plain way first, and with care where that is not certain.
@@ -221,14 +139,16 @@ class InnerApproximation {
     // The plane moves sideways by the normal's lateral part, and the triangle's border with it.
     const Vector3<S> shift = rounding_ * exit.normal;
     const Vector3<S> shifted_a = a + shift, shifted_b = b + shift, shifted_c = c + shift;
-    const S reach = std::max({LateralL1(shifted_a), LateralL1(shifted_b), LateralL1(shifted_c)});
+    const S reach = std::max({ray_internal::LateralL1<S>(shifted_a), ray_internal::LateralL1<S>(shifted_b),
+                              ray_internal::LateralL1<S>(shifted_c)});
     if (!(area > kSliver<S> * reach * reach)) return SliverExit(a, b, c, exit);
-    switch (Weigh(shifted_a, shifted_b, shifted_c, kWeightSlack<S> * reach * (reach + rounding_), exit.weights)) {
-      case Crossing::kNo:
+    switch (ray_internal::Weigh(shifted_a, shifted_b, shifted_c, kWeightSlack<S> * reach * (reach + rounding_),
+                                exit.weights)) {
+      case ray_internal::Crossing::kNo:
         return false;
-      case Crossing::kUncertain:
+      case ray_internal::Crossing::kUncertain:
         return SliverExit(a, b, c, exit);
-      case Crossing::kYes:
+      case ray_internal::Crossing::kYes:
         SetTriangleHeight(shifted_a.z(), shifted_b.z(), shifted_c.z(), exit);
     }
     return true;
@@ -238,13 +158,13 @@ class InnerApproximation {
   /// triangles on an edge must agree about the side of it on which the ray is.
   [[gnu::cold, gnu::noinline]] bool SliverExit(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c,
                                                Exit& exit) const {
-    const SliverNormal normal(a, b, c);
+    const ray_internal::SliverNormal<S> normal(a, b, c);
     exit.normal = normal.cross;
     if (!PointUpwards(exit.normal)) return false;
     const Vector3<S> shift = rounding_ * exit.normal;
     const Vector3<S> shifted_a = a + shift, shifted_b = b + shift, shifted_c = c + shift;
     const S area = std::abs(normal.cross.z()), border_error = rounding_ * normal.error;
-    if (!WeighSliver(shifted_a, shifted_b, shifted_c, area, border_error, exit.weights)) return false;
+    if (!ray_internal::WeighSliver(shifted_a, shifted_b, shifted_c, area, border_error, exit.weights)) return false;
     SetTriangleHeight(shifted_a.z(), shifted_b.z(), shifted_c.z(), exit);
     return true;
   }
@@ -260,7 +180,7 @@ class InnerApproximation {
     const S lateral_sq = d.x() * d.x() + d.y() * d.y();
     if (!(lateral_sq > 0)) return false;  // Along the ray: its upper end is higher.
     // Nearest approach of the edge's line to the ray, at parameter t0, and the offset's half width there.
-    const S cross = Cross(a, d);
+    const S cross = ray_internal::Cross<S>(a, d);
     const S half_width_sq = rounding_ * rounding_ - cross * cross / lateral_sq;
     if (!(half_width_sq > 0)) return false;
     const S t0 = -(a.x() * d.x() + a.y() * d.y()) / lateral_sq;
@@ -298,9 +218,9 @@ class InnerApproximation {
   /// all points across the ray.
   int OutgoingIndex(const Vector3<S>& added, const Vector3<S>& shift) const {
     const Vector3<S> w = added + shift;
-    const S turn_0 = Cross(w, points_[0].point + shift);
-    const S turn_1 = Cross(w, points_[1].point + shift);
-    const S turn_2 = Cross(w, points_[2].point + shift);
+    const S turn_0 = ray_internal::Cross<S>(w, points_[0].point + shift);
+    const S turn_1 = ray_internal::Cross<S>(w, points_[1].point + shift);
+    const S turn_2 = ray_internal::Cross<S>(w, points_[2].point + shift);
     if (turn_0 >= 0 && turn_1 <= 0) return 2;
     if (turn_1 >= 0 && turn_2 <= 0) return 0;
     return 1;
@@ -385,7 +305,7 @@ class InnerApproximation {
     height_ = std::max(height_, exit.height);
     normal_ = exit.normal;
     // Counterclockwise about the ray, which OutgoingIndex relies on.
-    if (size_ == 3 && Cross(PointOf(1) - PointOf(0), PointOf(2) - PointOf(0)) < 0) {
+    if (size_ == 3 && ray_internal::Cross<S>(PointOf(1) - PointOf(0), PointOf(2) - PointOf(0)) < 0) {
       std::swap(points_[0], points_[1]);
       std::swap(weights_[0], weights_[1]);
     }

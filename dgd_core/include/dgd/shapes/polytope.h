@@ -18,9 +18,8 @@ class Polytope {
  public:
   using Scalar = S;
 
-  /// @param points  Metres; at least one, all finite, in any order; inner and duplicate points are dropped. Flat sets
-  /// of
-  ///                points are allowed and have inradius 0. Throws std::invalid_argument otherwise.
+  /// @param points  Metres; at least one, all finite, in any order; inner and duplicate points are dropped. Flat ones
+  ///                are allowed and have inradius 0. Throws std::invalid_argument otherwise.
   explicit Polytope(std::span<const Eigen::Vector3d> points) : Polytope(BuildConvexHull(points)) {}
   explicit Polytope(ConvexHull hull)
       : hull_(std::move(hull)),

@@ -1,0 +1,113 @@
+// Where the ray passes a triangle of the inner approximation: barycentric weights and normal, the plain way and, for
+// slivers, so that they keep their digits.
+//
+// All coordinates are in the ray frame, metres: the ray is the z axis, x and y run across it.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "dgd/ray/tolerances.h"
+#include "dgd/types.h"
+
+namespace dgd::ray_internal {
+
+/// Twice the signed area of the origin, a and b seen along the ray, square metres.
+template <class S>
+S Cross(const Vector3<S>& a, const Vector3<S>& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Distance from the ray, metres, but for a factor of up to sqrt(2).
+template <class S>
+S LateralL1(const Vector3<S>& a) {
+  return std::abs(a.x()) + std::abs(a.y());
+}
+
+/// Whether the ray passes through a triangle.
+enum class Crossing { kNo, kYes, kUncertain };
+
+/// Barycentric weights of the ray in a triangle seen along it, the plain way: uncertain where the ray passes an edge
+/// within rounding.
+/// @param rounding  Of twice an area, square metres.
+template <class S>
+Crossing Weigh(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, S rounding, std::array<S, 3>& weights) {
+  weights = {Cross(b, c), Cross(c, a), Cross(a, b)};
+  const S per_area = 1 / (weights[0] + weights[1] + weights[2]);
+  for (S& weight : weights) weight *= per_area;
+  const S least = std::min({weights[0], weights[1], weights[2]});
+  const S uncertainty = rounding * std::abs(per_area);
+  return least > uncertainty ? Crossing::kYes : least < -uncertainty ? Crossing::kNo : Crossing::kUncertain;
+}
+
+/// Twice the signed area of the ray and an edge seen along the ray, counterclockwise positive, and what its rounding
+/// error is epsilon times of. From the corner opposite the longest side of the three, so that neither two far points
+/// close together nor one far and one near point cost digits. Depends on the edge alone: neighbouring triangles agree
+/// about which side of it the ray is on.
+template <class S>
+struct EdgeArea {
+  EdgeArea(const Vector3<S>& a, const Vector3<S>& b) {
+    const Vector3<S> d = b - a;
+    const S length_a = LateralL1(a), length_b = LateralL1(b), length_d = LateralL1(d);
+    length = length_d;
+    if (length_d >= length_a && length_d >= length_b) {
+      value = Cross(a, b);
+      scale = length_a * length_b;
+    } else if (length_a >= length_b) {
+      value = Cross(b, d);
+      scale = length_b * length_d;
+    } else {
+      value = Cross(a, d);
+      scale = length_a * length_d;
+    }
+  }
+  S value, scale;  // Square metres.
+  S length;        // Of the edge across the ray, by LateralL1(), metres.
+};
+
+/// As Weigh(), for slivers: one long side and little area, where plain sums and differences lose most digits.
+/// @param area          Twice the triangle's seen along the ray: from its sides, since the three edge areas may
+/// cancel.
+/// @param border_error  How far the border may be off, metres.
+template <class S>
+bool WeighSliver(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, S area, S border_error,
+                 std::array<S, 3>& weights) {
+  const EdgeArea<S> edges[3] = {{b, c}, {c, a}, {a, b}};
+  const S sign = edges[0].value + edges[1].value + edges[2].value < 0 ? S(-1) : S(1);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const S slack = kWeightSlack<S> * edges[k].scale + border_error * edges[k].length;
+    if (!(sign * edges[k].value >= -slack)) return false;
+    weights[k] = std::max(S(0), sign * edges[k].value / area);
+  }
+  // The weights' sum carries the error of the least certain ones; they share it, so that the rest keep their digits.
+  std::size_t first = edges[0].scale >= edges[1].scale ? 0 : 1, second = 1 - first;
+  if (edges[2].scale > edges[second].scale) second = 2;
+  if (edges[second].scale > edges[first].scale) std::swap(first, second);
+  const S others = weights[3 - first - second];
+  weights[first] = 1 - others - weights[second];
+  if (weights[first] < 0) {
+    weights[first] = 0;
+    weights[second] = std::max(S(0), 1 - others);
+  }
+  return true;
+}
+
+/// Normal of a sliver, from the corner opposite its longest side; see EdgeArea.
+template <class S>
+struct SliverNormal {
+  SliverNormal(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c) {
+    const Vector3<S> ab = b - a, bc = c - b, ca = a - c;
+    const S length_ab = ab.squaredNorm(), length_bc = bc.squaredNorm(), length_ca = ca.squaredNorm();
+    const S longest = std::max({length_ab, length_bc, length_ca});
+    const bool is_ab = longest == length_ab, is_bc = !is_ab && longest == length_bc;
+    cross = is_ab ? bc.cross(ca) : is_bc ? ca.cross(ab) : ab.cross(bc);
+    const S short_sides_sq = is_ab ? length_bc * length_ca : is_bc ? length_ca * length_ab : length_ab * length_bc;
+    error = kWeightSlack<S> * std::sqrt(short_sides_sq / cross.squaredNorm());
+  }
+  Vector3<S> cross;  // As long as twice the sliver's area.
+  S error;           // Of the unit normal, radians: the flatter the corner, the larger.
+};
+
+}  // namespace dgd::ray_internal
