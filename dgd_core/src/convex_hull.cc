@@ -187,7 +187,7 @@ class QhullRun {
 
 /// Copies Qhull's facets, with coplanar neighbours merged, and their vertices; `points` are what it was given.
 void CopyFacets(qhT* qh, std::span<const Vector3d> points, ConvexHull& hull) {
-  std::vector<VertexId> renumbered(points.size(), kNoVertex);
+  std::vector<VertexId> renumbered(points.size(), kNoFeature);
   facetT* facet;
   FORALLfacet_(qh->facet_list) {
     setT* ordered = qh_facet3vertex(qh, facet);
@@ -195,7 +195,7 @@ void CopyFacets(qhT* qh, std::span<const Vector3d> points, ConvexHull& hull) {
     vertexT *vertex, **vertexp;
     FOREACHvertex_(ordered) {
       const auto point = static_cast<std::size_t>(qh_pointid(qh, vertex->point));
-      if (renumbered[point] == kNoVertex) {
+      if (renumbered[point] == kNoFeature) {
         renumbered[point] = static_cast<VertexId>(hull.vertices.size());
         hull.vertices.push_back(points[point]);
       }

@@ -103,9 +103,9 @@ TEST(WarmStart, ArbitraryState_DoesNoHarm) {
     warm_start.size = random.Below(4);
     for (std::size_t k = 0; k < 3; ++k) {
       const int range = random.Flip() ? 3 : 40;
-      warm_start.vertices_1[k] = static_cast<dgd::VertexId>(random.Below(range));
-      warm_start.vertices_2[k] =
-          random.Below(10) == 0 ? dgd::kNoVertex : static_cast<dgd::VertexId>(random.Below(range));
+      warm_start.features_1[k] = static_cast<dgd::VertexId>(random.Below(range));
+      warm_start.features_2[k] =
+          random.Below(10) == 0 ? dgd::kNoFeature : static_cast<dgd::VertexId>(random.Below(range));
     }
     ASSERT_TRUE(IsCertified<double>(reference, pair, pair.GrowthDistance({}, &warm_start)));
   }

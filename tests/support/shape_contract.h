@@ -54,10 +54,10 @@ void CheckSupport(const Core& core, const ReferenceSet& reference, Random& rando
           << direction.transpose() << " times " << length;
       EXPECT_LE(double(core.Distance(support.point)), tolerance) << direction.transpose();
       if constexpr (dgd::VertexCore<Core>) {
-        ASSERT_LT(support.vertex, core.VertexCount());
-        EXPECT_EQ(support.point, dgd::Vector3<S>(core.Vertex(support.vertex)));
+        ASSERT_LT(support.feature, core.VertexCount());
+        EXPECT_EQ(support.point, dgd::Vector3<S>(core.Vertex(support.feature)));
       } else {
-        EXPECT_EQ(support.vertex, dgd::kNoVertex);
+        EXPECT_EQ(support.feature, dgd::kNoFeature);
       }
     }
   }

@@ -13,7 +13,7 @@ namespace dgd {
 
 /// A core that can tell how far a point lies outside it.
 template <class Core>
-concept MeasurableCore = ConvexCore<Core> && requires(const Core& core, const Vector3<typename Core::Scalar>& point) {
+concept MeasurableCore = ConvexCore<Core> && requires(const Core& core, const VectorOf<Core>& point) {
   { core.Distance(point) } -> std::convertible_to<typename Core::Scalar>;
 };
 

@@ -10,29 +10,59 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 #include "dgd/types.h"
 
 namespace dgd {
 
-/// A compact convex set in its own frame. All members are const, allocate nothing and do not throw.
+/// 3 or 2: the dimension of the space that a core lives in.
+template <class Core>
+inline constexpr int kDimension =
+    std::remove_cvref_t<decltype(std::declval<const Core&>().Center())>::RowsAtCompileTime;
+
+/// A point or direction in a core's frame, and in the world.
+template <class Core>
+using VectorOf = Vector<typename Core::Scalar, kDimension<Core>>;
+
+/// A compact convex set in its own frame, of two or three dimensions. All members are const, allocate nothing and do
+/// not throw.
 ///  * Support(d): a point of the core that maximises <d, x>; d is finite and need not have unit length. For d = 0 any
 ///    point of the core.
-///  * Center(): a point of the core, in its relative interior: the set is scaled about it.
+///  * Center(): a point of the core, in its relative interior: the set is scaled about it. An Eigen vector, by value or
+///    by reference, whose size says the dimension.
 ///  * Inradius(): a lower bound, safe against rounding, on the radius of the ball about Center() inside the core;
 ///    0 for flat cores. Metres.
 template <class Core>
-concept ConvexCore = requires(const Core& core, const Vector3<typename Core::Scalar>& direction) {
-  { core.Support(direction) } -> std::same_as<SupportPoint<typename Core::Scalar>>;
-  { core.Center() } -> std::convertible_to<Vector3<typename Core::Scalar>>;
+concept ConvexCore = requires(const Core& core, const VectorOf<Core>& direction) {
+  { core.Support(direction) } -> std::same_as<SupportPoint<typename Core::Scalar, kDimension<Core>>>;
+  { core.Center() } -> std::convertible_to<VectorOf<Core>>;
   { core.Inradius() } -> std::convertible_to<typename Core::Scalar>;
 };
 
 /// A core whose support points are vertices that can be named and found again: what a primal warm start needs.
 template <class Core>
 concept VertexCore = ConvexCore<Core> && requires(const Core& core, VertexId vertex) {
-  { core.Vertex(vertex) } -> std::convertible_to<Vector3<typename Core::Scalar>>;
+  { core.Vertex(vertex) } -> std::convertible_to<VectorOf<Core>>;
   { core.VertexCount() } -> std::convertible_to<VertexId>;
+};
+
+/// A curved core made of few smooth pieces, each with a support function of its own that is twice differentiable: what
+/// second-order steps need. Support(d) names the piece that its point is on.
+///  * PieceSupport(piece, d): the point of that piece that maximises <d, x>, a point of the core whether or not another
+///    piece reaches farther; and its derivative by d, which need not have unit length.
+///  * PieceCount(): pieces are numbered from 0.
+template <class Core>
+concept SmoothCore = ConvexCore<Core> && requires(const Core& core, FeatureId piece, const VectorOf<Core>& direction) {
+  { core.PieceSupport(piece, direction) } -> std::same_as<CurvedPoint<typename Core::Scalar, kDimension<Core>>>;
+  { core.PieceCount() } -> std::convertible_to<FeatureId>;
+};
+
+/// A core that finds its support point faster from a feature that was one for a similar direction; any number will do
+/// as a hint. The solver keeps the hint, so that the core stays immutable.
+template <class Core>
+concept HintedCore = ConvexCore<Core> && requires(const Core& core, const VectorOf<Core>& direction, FeatureId hint) {
+  { core.Support(direction, hint) } -> std::same_as<SupportPoint<typename Core::Scalar, kDimension<Core>>>;
 };
 
 /// A core whose centre may move within it. MoveCenterNear(p) puts it as near to the point p (in the core's frame) as
@@ -40,7 +70,7 @@ concept VertexCore = ConvexCore<Core> && requires(const Core& core, VertexId ver
 /// times the overlap's part, past a partner that stands on it; about a near one, it acts as if only that part were
 /// there.
 template <class Core>
-concept CenteredCore = ConvexCore<Core> && requires(Core& core, const Vector3<typename Core::Scalar>& point) {
+concept CenteredCore = ConvexCore<Core> && requires(Core& core, const VectorOf<Core>& point) {
   core.MoveCenterNear(point);
 };
 
@@ -59,6 +89,10 @@ RoundedSet(Core) -> RoundedSet<Core>;
 template <class Core, class Scalar>
 RoundedSet(Core, Scalar) -> RoundedSet<Core>;
 
+/// The pose of a set in the world.
+template <class Set>
+using PoseOf = Pose<typename Set::Scalar, kDimension<typename Set::Core>>;
+
 /// A core that lives elsewhere (a polytope with a thousand vertices, shared by many bodies) and outlives this.
 template <ConvexCore CoreType>
 class CoreReference {
@@ -67,14 +101,21 @@ class CoreReference {
 
   CoreReference(const CoreType& core) : core_(&core) {}
 
-  SupportPoint<Scalar> Support(const Vector3<Scalar>& direction) const { return core_->Support(direction); }
+  auto Support(const VectorOf<CoreType>& direction) const { return core_->Support(direction); }
+  auto Support(const VectorOf<CoreType>& direction, FeatureId hint) const requires HintedCore<CoreType> {
+    return core_->Support(direction, hint);
+  }
   decltype(auto) Center() const { return core_->Center(); }
   Scalar Inradius() const { return core_->Inradius(); }
   decltype(auto) Vertex(VertexId vertex) const requires VertexCore<CoreType> { return core_->Vertex(vertex); }
   VertexId VertexCount() const requires VertexCore<CoreType> { return core_->VertexCount(); }
-  Scalar Distance(const Vector3<Scalar>& point) const { return core_->Distance(point); }
+  auto PieceSupport(FeatureId piece, const VectorOf<CoreType>& direction) const requires SmoothCore<CoreType> {
+    return core_->PieceSupport(piece, direction);
+  }
+  FeatureId PieceCount() const requires SmoothCore<CoreType> { return core_->PieceCount(); }
+  Scalar Distance(const VectorOf<CoreType>& point) const { return core_->Distance(point); }
   template <class Face>
-  void SupportFace(const Vector3<Scalar>& direction, Face& face) const {
+  void SupportFace(const VectorOf<CoreType>& direction, Face& face) const {
     core_->SupportFace(direction, face);
   }
 
@@ -99,11 +140,12 @@ Scalar RequireLength(Scalar value, bool may_be_zero, const char* what) {
 }
 
 /// Throws std::invalid_argument naming `what` unless all coordinates are finite.
-template <class Scalar>
-const Vector3<Scalar>& RequireFinite(const Vector3<Scalar>& point, const char* what) {
+template <class S, int L>
+const Vector<S, L>& RequireFinite(const Vector<S, L>& point, const char* what) {
   if (!point.allFinite()) {
-    throw std::invalid_argument(std::string(what) + " must be finite, in metres; got (" + std::to_string(point.x()) +
-                                ", " + std::to_string(point.y()) + ", " + std::to_string(point.z()) + ")");
+    std::string coordinates;
+    for (const S coordinate : point) coordinates += (coordinates.empty() ? "" : ", ") + std::to_string(coordinate);
+    throw std::invalid_argument(std::string(what) + " must be finite, in metres; got (" + coordinates + ")");
   }
   return point;
 }

@@ -40,7 +40,7 @@ struct Settings {
   S separation_limit = std::numeric_limits<S>::infinity();
 };
 
-template <class S>
+template <class S, int L = 3>
 struct Result {
   Status status = Status::kInvalidInput;
   int iterations = 0;  ///< Evaluations of the support functions.
@@ -52,7 +52,7 @@ struct Result {
 
   /// Unit vector from set 1 to set 2 in the world, normal to the plane that proves the lower bound. The exact contact
   /// normal where the sets touch; elsewhere it depends on the centres.
-  Vector3<S> normal = Vector3<S>::UnitX();
+  Vector<S, L> normal = Vector<S, L>::UnitX();
   /// Distance of the sets along `normal` between their supporting planes, metres, certain: if positive, they are at
   /// least this far apart; if negative, moving set 2 by its absolute value along `normal` makes them touch.
   S separation = 0;
@@ -60,8 +60,8 @@ struct Result {
   /// Points of set 1 and set 2 in the world, metres, that coincide when both sets are scaled by upper_bound about
   /// their centres (paper, eq. primal-optimal-from-ray-intersection). Zero where upper_bound is infinite, as it is when
   /// kSeparated came before any point was found.
-  Vector3<S> witness_1 = Vector3<S>::Zero();
-  Vector3<S> witness_2 = Vector3<S>::Zero();
+  Vector<S, L> witness_1 = Vector<S, L>::Zero();
+  Vector<S, L> witness_2 = Vector<S, L>::Zero();
 
   /// The growth distance: the primal value, never below the true one.
   S GrowthDistance() const { return upper_bound; }
@@ -72,46 +72,53 @@ struct Result {
 /// State of one pair of sets from one query to the next, in this order of the sets; default-made for a cold start.
 /// Stays correct (a start is only a start) whatever happened to the sets in between, but for vertices that no longer
 /// exist, which are ignored.
-template <class S>
+template <class S, int L = 3>
 struct WarmStart {
-  Vector3<S> normal_1 = Vector3<S>::Zero();  ///< Last normal, in set 1's frame; zero for none.
-  std::array<VertexId, 3> vertices_1{};      ///< Last basis of the inner approximation ...
-  std::array<VertexId, 3> vertices_2{};      ///< ... by the vertices of the two cores.
-  std::int32_t size = 0;                     ///< Points in the basis; 0 if the sets were apart by more than asked for.
+  Vector<S, L> normal_1 = Vector<S, L>::Zero();  ///< Last normal, in set 1's frame; zero for none.
+  std::array<FeatureId, L> features_1{};         ///< Last basis of the inner approximation ...
+  std::array<FeatureId, L> features_2{};         ///< ... by the features of the two cores.
+  std::int32_t size = 0;  ///< Points in the basis; 0 if the sets were apart by more than asked for.
 };
 static_assert(sizeof(WarmStart<double>) <= 128, "must fit into a Bullet algorithm object beside the rest");
 
-/// Growth distance of two sets in their poses.
+template <class Set>
+using ResultOf = Result<typename Set::Scalar, kDimension<typename Set::Core>>;
+template <class Set>
+using WarmStartOf = WarmStart<typename Set::Scalar, kDimension<typename Set::Core>>;
+
+/// Growth distance of two sets in their poses; both of the same dimension and scalar.
 /// @param pose_1, pose_2  Of the sets in the world.
 /// @param warm_start      In and out; nullptr for a cold start that remembers nothing.
 /// Allocates nothing and does not throw. Alg. 3 of the paper.
 template <class Set1, class Set2>
-Result<typename Set1::Scalar> GrowthDistance(const Set1& set_1, const Pose<typename Set1::Scalar>& pose_1,
-                                             const Set2& set_2, const Pose<typename Set1::Scalar>& pose_2,
-                                             const Settings<typename Set1::Scalar>& settings = {},
-                                             WarmStart<typename Set1::Scalar>* warm_start = nullptr);
+ResultOf<Set1> GrowthDistance(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
+                              const PoseOf<Set1>& pose_2, const Settings<typename Set1::Scalar>& settings = {},
+                              WarmStartOf<Set1>* warm_start = nullptr);
 
-template <class S>
+template <class S, int L = 3>
 struct CollisionResult {
   /// kSeparated, kColliding or kTouching; or one of the failures of Status.
   Status status = Status::kInvalidInput;
   int iterations = 0;
   /// kSeparated: unit normal from set 1 to set 2 of a plane between them, world.
-  Vector3<S> normal = Vector3<S>::UnitX();
+  Vector<S, L> normal = Vector<S, L>::UnitX();
   /// kSeparated: distance of the sets along the normal, metres, > 0.
   S separation = 0;
   /// kSeparated: a point on the plane half way between the sets. kColliding: a point of both sets. kTouching: a point
   /// within the tolerance of both. World, metres.
-  Vector3<S> point = Vector3<S>::Zero();
+  Vector<S, L> point = Vector<S, L>::Zero();
 };
+
+template <class Set>
+using CollisionResultOf = CollisionResult<typename Set::Scalar, kDimension<typename Set::Core>>;
 
 /// Whether two sets have a point in common; stops as soon as a bound crosses 1 (paper, Sec. III-D4). Parameters as for
 /// GrowthDistance, whose warm start it shares.
 template <class Set1, class Set2>
-CollisionResult<typename Set1::Scalar> DetectCollision(const Set1& set_1, const Pose<typename Set1::Scalar>& pose_1,
-                                                       const Set2& set_2, const Pose<typename Set1::Scalar>& pose_2,
-                                                       const Settings<typename Set1::Scalar>& settings = {},
-                                                       WarmStart<typename Set1::Scalar>* warm_start = nullptr);
+CollisionResultOf<Set1> DetectCollision(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
+                                        const PoseOf<Set1>& pose_2,
+                                        const Settings<typename Set1::Scalar>& settings = {},
+                                        WarmStartOf<Set1>* warm_start = nullptr);
 
 }  // namespace dgd
 

@@ -11,32 +11,55 @@
 
 namespace dgd {
 
-template <class Scalar>
-using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
+/// A vector of the space that the sets live in: L is 3 or 2.
+template <class Scalar, int L>
+using Vector = Eigen::Matrix<Scalar, L, 1>;
+
+template <class Scalar, int L>
+using SquareMatrix = Eigen::Matrix<Scalar, L, L>;
 
 template <class Scalar>
-using Matrix3 = Eigen::Matrix<Scalar, 3, 3>;
+using Vector2 = Vector<Scalar, 2>;
+
+template <class Scalar>
+using Vector3 = Vector<Scalar, 3>;
+
+template <class Scalar>
+using Matrix3 = SquareMatrix<Scalar, 3>;
 
 /// Rigid pose of a set: x_world = rotation * x_local + translation.
-template <class Scalar>
+template <class Scalar, int L = 3>
 struct Pose {
-  Matrix3<Scalar> rotation = Matrix3<Scalar>::Identity();  ///< Orthonormal, determinant +1.
-  Vector3<Scalar> translation = Vector3<Scalar>::Zero();   ///< Metres, finite.
+  SquareMatrix<Scalar, L> rotation = SquareMatrix<Scalar, L>::Identity();  ///< Orthonormal, determinant +1.
+  Vector<Scalar, L> translation = Vector<Scalar, L>::Zero();               ///< Metres, finite.
 
-  Vector3<Scalar> operator*(const Vector3<Scalar>& local) const { return rotation * local + translation; }
+  Vector<Scalar, L> operator*(const Vector<Scalar, L>& local) const { return rotation * local + translation; }
 };
 
-/// Names a vertex of a core, so that a later query can find the same point again; see WarmStart.
-using VertexId = std::uint32_t;
+/// Names a feature of a core that gives support points: a vertex, or a smooth piece of its boundary (the rim of a
+/// cylinder's cap, a whole ellipsoid). A later iteration, or query, finds it again without a search.
+using FeatureId = std::uint32_t;
 
-/// The point is not a vertex (curved core, or a point that no vertex gave).
-inline constexpr VertexId kNoVertex = std::numeric_limits<VertexId>::max();
+/// A feature that is a vertex.
+using VertexId = FeatureId;
+
+/// The core does not tell its features apart.
+inline constexpr FeatureId kNoFeature = std::numeric_limits<FeatureId>::max();
 
 /// Value of a support function: a point of the set that is farthest along the direction, in the set's own frame.
-template <class Scalar>
+template <class Scalar, int L = 3>
 struct SupportPoint {
-  Vector3<Scalar> point;
-  VertexId vertex = kNoVertex;
+  Vector<Scalar, L> point;
+  FeatureId feature = kNoFeature;
+};
+
+/// A support point and how it moves with the direction d: the gradient and the Hessian of a support function.
+template <class Scalar, int L = 3>
+struct CurvedPoint {
+  Vector<Scalar, L> point;
+  /// d(point) / d(direction), metres per unit of the direction: symmetric, positive semidefinite, 0 along d. Not finite
+  /// where there is no derivative.
+  SquareMatrix<Scalar, L> derivative;
 };
 
 }  // namespace dgd

@@ -19,8 +19,8 @@ template <class S>
 struct DifferencePoint {
   Vector3<S> point = Vector3<S>::Zero();
   Vector3<S> on_1 = Vector3<S>::Zero();
-  VertexId vertex_1 = kNoVertex;
-  VertexId vertex_2 = kNoVertex;
+  VertexId feature_1 = kNoFeature;
+  VertexId feature_2 = kNoFeature;
 };
 
 /// Columns: two unit vectors orthogonal to the unit vector `axis`, then `axis`; right-handed. By the sign of one
@@ -79,15 +79,15 @@ class MinkowskiDifference {
   }
 
   /// Whether both cores have these vertices; they may have changed since a previous query named them.
-  bool HasVertices(VertexId vertex_1, VertexId vertex_2) const requires VertexCore<typename Set1::Core> &&
+  bool HasVertices(VertexId feature_1, VertexId feature_2) const requires VertexCore<typename Set1::Core> &&
       VertexCore<typename Set2::Core> {
-    return vertex_1 < set_1_.core.VertexCount() && vertex_2 < set_2_.core.VertexCount();
+    return feature_1 < set_1_.core.VertexCount() && feature_2 < set_2_.core.VertexCount();
   }
 
   /// The difference of two vertices that a previous query named.
-  DifferencePoint<S> FromVertices(VertexId vertex_1, VertexId vertex_2) const requires
+  DifferencePoint<S> FromVertices(VertexId feature_1, VertexId feature_2) const requires
       VertexCore<typename Set1::Core> && VertexCore<typename Set2::Core> {
-    return Difference({set_1_.core.Vertex(vertex_1), vertex_1}, {set_2_.core.Vertex(vertex_2), vertex_2},
+    return Difference({set_1_.core.Vertex(feature_1), feature_1}, {set_2_.core.Vertex(feature_2), feature_2},
                       Vector3<S>::Zero());
   }
 
@@ -123,8 +123,8 @@ class MinkowskiDifference {
       difference.on_1 += inflation_1_ * normal;
       difference.point += (inflation_1_ + inflation_2_) * normal;
     }
-    difference.vertex_1 = support_1.vertex;
-    difference.vertex_2 = support_2.vertex;
+    difference.feature_1 = support_1.feature;
+    difference.feature_2 = support_2.feature;
     return difference;
   }
 

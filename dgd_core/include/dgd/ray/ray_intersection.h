@@ -11,8 +11,8 @@
 namespace dgd {
 
 /// Whether there is a last normal, of unit length: nothing else bounds anything, wherever it comes from.
-template <class S>
-bool HasNormal(const WarmStart<S>& warm_start) {
+template <class S, int L>
+bool HasNormal(const WarmStart<S, L>& warm_start) {
   return std::abs(warm_start.normal_1.squaredNorm() - 1) <= kSqrtEpsilon<S>;  // False for NaN.
 }
 
@@ -117,9 +117,9 @@ class RayIntersection {
       std::array<DifferencePoint<S>, 3> basis;
       int size = 0;
       for (std::size_t i = 0; i < static_cast<std::size_t>(warm_start.size); ++i) {
-        if (!difference_.HasVertices(warm_start.vertices_1[i], warm_start.vertices_2[i])) continue;
+        if (!difference_.HasVertices(warm_start.features_1[i], warm_start.features_2[i])) continue;
         basis[static_cast<std::size_t>(size++)] =
-            difference_.FromVertices(warm_start.vertices_1[i], warm_start.vertices_2[i]);
+            difference_.FromVertices(warm_start.features_1[i], warm_start.features_2[i]);
       }
       if (size > 0) {
         if (inner_.AdoptBasis(basis, size)) return inner_.Normal();
@@ -150,10 +150,10 @@ class RayIntersection {
     warm_start.size = 0;
     if (status == Status::kSeparated) return;
     for (int i = 0; i < inner_.Size(); ++i) {
-      if (inner_[i].vertex_1 == kNoVertex || inner_[i].vertex_2 == kNoVertex) continue;
+      if (inner_[i].feature_1 == kNoFeature || inner_[i].feature_2 == kNoFeature) continue;
       const auto slot = static_cast<std::size_t>(warm_start.size++);
-      warm_start.vertices_1[slot] = inner_[i].vertex_1;
-      warm_start.vertices_2[slot] = inner_[i].vertex_2;
+      warm_start.features_1[slot] = inner_[i].feature_1;
+      warm_start.features_2[slot] = inner_[i].feature_2;
     }
   }
 
@@ -173,17 +173,16 @@ class RayIntersection {
 /// @param warm_start  HasNormal().
 /// @return whether the sets are farther apart along it than `limit`; the result then says so.
 template <class Set1, class Set2>
-[[gnu::flatten]] bool SeparatedAlongLastNormal(const Set1& set_1, const Pose<typename Set1::Scalar>& pose_1,
-                                               const Set2& set_2, const Pose<typename Set1::Scalar>& pose_2,
-                                               typename Set1::Scalar limit,
-                                               const WarmStart<typename Set1::Scalar>& warm_start,
-                                               Result<typename Set1::Scalar>& result) {
+[[gnu::flatten]] bool SeparatedAlongLastNormal(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
+                                               const PoseOf<Set1>& pose_2, typename Set1::Scalar limit,
+                                               const WarmStartOf<Set1>& warm_start, ResultOf<Set1>& result) {
   using S = typename Set1::Scalar;
-  const Vector3<S>& normal_1 = warm_start.normal_1;
-  const Vector3<S> normal = pose_1.rotation * normal_1;
-  const Vector3<S> normal_2 = pose_2.rotation.transpose() * -normal;
-  const Vector3<S> support_1 = set_1.core.Support(normal_1).point;
-  const Vector3<S> support_2 = set_2.core.Support(normal_2).point;
+  using Point = VectorOf<typename Set1::Core>;
+  const Point& normal_1 = warm_start.normal_1;
+  const Point normal = pose_1.rotation * normal_1;
+  const Point normal_2 = pose_2.rotation.transpose() * -normal;
+  const Point support_1 = set_1.core.Support(normal_1).point;
+  const Point support_2 = set_2.core.Support(normal_2).point;
   const S separation = normal.dot(pose_2.translation - pose_1.translation) - normal_1.dot(support_1) -
                        normal_2.dot(support_2) - set_1.radius - set_2.radius;
   if (!(separation > limit && std::isfinite(separation))) return false;  // Also for NaN.
@@ -197,13 +196,11 @@ template <class Set1, class Set2>
 }
 
 template <class Set1, class Set2>
-[[gnu::flatten]] Result<typename Set1::Scalar> GrowthDistance(const Set1& set_1,
-                                                              const Pose<typename Set1::Scalar>& pose_1,
-                                                              const Set2& set_2,
-                                                              const Pose<typename Set1::Scalar>& pose_2,
-                                                              const Settings<typename Set1::Scalar>& settings,
-                                                              WarmStart<typename Set1::Scalar>* warm_start) {
-  Result<typename Set1::Scalar> result;
+[[gnu::flatten]] ResultOf<Set1> GrowthDistance(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
+                                               const PoseOf<Set1>& pose_2,
+                                               const Settings<typename Set1::Scalar>& settings,
+                                               WarmStartOf<Set1>* warm_start) {
+  ResultOf<Set1> result;
   if (warm_start != nullptr && warm_start->size == 0 && HasNormal(*warm_start) &&
       SeparatedAlongLastNormal(set_1, pose_1, set_2, pose_2, settings.separation_limit, *warm_start, result)) {
     return result;
@@ -222,20 +219,19 @@ template <class Set1, class Set2>
 }
 
 template <class Set1, class Set2>
-CollisionResult<typename Set1::Scalar> DetectCollision(const Set1& set_1, const Pose<typename Set1::Scalar>& pose_1,
-                                                       const Set2& set_2, const Pose<typename Set1::Scalar>& pose_2,
-                                                       const Settings<typename Set1::Scalar>& settings,
-                                                       WarmStart<typename Set1::Scalar>* warm_start) {
+CollisionResultOf<Set1> DetectCollision(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
+                                        const PoseOf<Set1>& pose_2, const Settings<typename Set1::Scalar>& settings,
+                                        WarmStartOf<Set1>* warm_start) {
   using S = typename Set1::Scalar;
-  CollisionResult<S> result;
-  Result<S> apart;
+  CollisionResultOf<Set1> result;
+  ResultOf<Set1> apart;
   if (warm_start != nullptr && warm_start->size == 0 && HasNormal(*warm_start) &&
       SeparatedAlongLastNormal(set_1, pose_1, set_2, pose_2, S(0), *warm_start, apart)) {
     result.status = Status::kSeparated;
     result.iterations = apart.iterations;
     result.normal = apart.normal;
     result.separation = apart.separation;
-    const Vector3<S> support_1 = pose_1 * set_1.core.Support(warm_start->normal_1).point;
+    const VectorOf<typename Set1::Core> support_1 = pose_1 * set_1.core.Support(warm_start->normal_1).point;
     result.point = support_1 + (set_1.radius + apart.separation / 2) * apart.normal;
     return result;
   }
