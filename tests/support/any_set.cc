@@ -1,6 +1,8 @@
 #include "support/any_set.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace dgd_test {
 
@@ -24,6 +26,8 @@ AnySet<S> MakeSet(const ReferenceSet& set) {
       return dgd::RoundedSet{dgd::Cone<S>(size[0], size[1]), radius};
     case CoreType::kPolytope:
       break;
+    default:
+      throw std::logic_error(std::string("AnySet holds no ") + Name(set.type));
   }
   return dgd::RoundedSet{dgd::Polytope<S>(set.points), radius};
 }

@@ -33,10 +33,24 @@ std::vector<Vector3d> Corners(const ReferenceSet& set) {
       return corners;
     case CoreType::kTriangle:
     case CoreType::kPolytope:
+    case CoreType::kMesh:
+    case CoreType::kDsf:
       return set.points;
     default:
-      throw std::logic_error("a cylinder or cone has no vertices");
+      throw std::logic_error("a curved set has no vertices");
   }
+}
+
+/// The p-norm of the heights above the centre, straight from the definition.
+double DsfHeight(const ReferenceSet& set, const Vector3d& direction) {
+  const double highest = HighestOf(set.points, direction) - direction.dot(set.center);
+  long double sum = 0;
+  for (const Vector3d& point : set.points) {
+    const double height = direction.dot(point - set.center);
+    if (height > 0) sum += std::pow(static_cast<long double>(height / highest), set.exponent);
+  }
+  return highest * static_cast<double>(std::pow(sum, 1 / static_cast<long double>(set.exponent))) +
+         direction.dot(set.center);
 }
 
 void Print(std::ostream& out, const Vector3d& v) { out << "{" << v.x() << ", " << v.y() << ", " << v.z() << "}"; }
@@ -50,6 +64,10 @@ void Print(std::ostream& out, const char* name, const ReferenceSet& set, const R
     Print(out, point);
     out << ",";
   }
+  if (set.type == CoreType::kDsf) {
+    out << "\n  exponent " << set.exponent << " center ";
+    Print(out, set.center);
+  }
   out << "\n  rotation, by rows";
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) out << " " << pose.rotation(row, column) << ",";
@@ -62,7 +80,8 @@ void Print(std::ostream& out, const char* name, const ReferenceSet& set, const R
 }  // namespace
 
 const char* Name(CoreType type) {
-  static const char* const kNames[] = {"Point", "Segment", "Triangle", "Box", "Cylinder", "Cone", "Polytope"};
+  static const char* const kNames[] = {"Point",    "Segment", "Triangle",  "Box",  "Cylinder", "Cone",
+                                       "Polytope", "Frustum", "Ellipsoid", "Mesh", "Dsf"};
   return kNames[static_cast<int>(type)];
 }
 
@@ -73,6 +92,13 @@ double ReferenceSet::Height(const Vector3d& direction) const {
       return radius + size[0] * lateral + size[1] * std::abs(direction.z());
     case CoreType::kCone:
       return radius + std::max(size[1] / 2 * direction.z(), size[0] * lateral - size[1] / 2 * direction.z());
+    case CoreType::kFrustum:
+      return radius +
+             std::max(size[0] * lateral - size[2] / 2 * direction.z(), size[1] * lateral + size[2] / 2 * direction.z());
+    case CoreType::kEllipsoid:
+      return radius + size.cwiseProduct(direction).norm();
+    case CoreType::kDsf:
+      return radius + DsfHeight(*this, direction);
     default:
       return radius + HighestOf(Corners(*this), direction);
   }
@@ -93,6 +119,12 @@ double ReferenceSet::Extent() const {
       break;
     case CoreType::kCone:
       reach = std::max(std::hypot(size[0], size[1]) / 2, size[0]);
+      break;
+    case CoreType::kFrustum:
+      reach = std::hypot(std::max(size[0], size[1]), size[2] / 2);
+      break;
+    case CoreType::kEllipsoid:
+      reach = size.maxCoeff();
       break;
     default:
       for (const Vector3d& corner : Corners(*this)) reach = std::max(reach, (corner - Middle()).norm());
@@ -131,6 +163,7 @@ ReferenceSet Scaled(const ReferenceSet& set, double scale) {
   ReferenceSet scaled = set;
   scaled.size *= scale;
   scaled.radius *= scale;
+  scaled.center *= scale;
   for (Vector3d& point : scaled.points) point *= scale;
   return scaled;
 }

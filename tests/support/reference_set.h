@@ -10,7 +10,20 @@
 
 namespace dgd_test {
 
-enum class CoreType { kPoint, kSegment, kTriangle, kBox, kCylinder, kCone, kPolytope };
+enum class CoreType {
+  kPoint,
+  kSegment,
+  kTriangle,
+  kBox,
+  kCylinder,
+  kCone,
+  kPolytope,
+  kFrustum,
+  kEllipsoid,
+  kMesh,
+  kDsf,
+};
+/// Those that AnySet holds.
 inline constexpr std::array<CoreType, 7> kCoreTypes = {CoreType::kPoint,   CoreType::kSegment,  CoreType::kTriangle,
                                                        CoreType::kBox,     CoreType::kCylinder, CoreType::kCone,
                                                        CoreType::kPolytope};
@@ -20,10 +33,14 @@ const char* Name(CoreType type);
 struct ReferenceSet {
   CoreType type = CoreType::kPoint;
   /// Segment: half length in z. Box: half extents. Cylinder: radius, half height in z. Cone: base radius, height in z.
+  /// Frustum: base radius, top radius, height in z. Ellipsoid: semi-axes.
   Eigen::Vector3d size = Eigen::Vector3d::Zero();
-  /// Triangle: its corners. Polytope: points whose hull it is.
+  /// Triangle: its corners. Polytope, mesh: points whose hull it is. Dsf: its vertices, each extreme.
   std::vector<Eigen::Vector3d> points = {};
   double radius = 0;
+  /// Dsf: the exponent, and the inner point that its support function is about.
+  double exponent = 0;
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
 
   /// Largest <direction, x> over the core plus radius, for a unit direction.
   double Height(const Eigen::Vector3d& direction) const;

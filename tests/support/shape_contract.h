@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <functional>
+#include <numbers>
 #include <vector>
 
 #include "dgd/convex_set.h"
+#include "dgd/ray/tolerances.h"
 #include "dgd/supporting_face.h"
-#include "support/any_set.h"
 #include "support/random.h"
 #include "support/reference_set.h"
 
@@ -31,89 +34,232 @@ inline std::vector<Eigen::Vector3d> Directions(Random& random) {
   return directions;
 }
 
-/// Lengths of a core of this extent, and of the numbers it is made of, are right to this; metres.
-template <class S>
-double Rounding(const ReferenceSet& reference) {
+/// The same in the plane.
+inline std::vector<Eigen::Vector2d> PlaneDirections(Random& random) {
+  std::vector<Eigen::Vector2d> directions;
+  for (const double x : {-1.0, -0.0, 0.0, 1.0}) {
+    for (const double y : {-1.0, -0.0, 0.0, 1.0}) {
+      const Eigen::Vector2d direction(x, y);
+      if (direction.norm() > 0) directions.push_back(direction.normalized());
+    }
+  }
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = random.Uniform(0, 2 * std::numbers::pi);
+    directions.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  return directions;
+}
+
+template <int L>
+std::vector<dgd::Vector<double, L>> DirectionsOf(Random& random) {
+  if constexpr (L == 2) {
+    return PlaneDirections(random);
+  } else {
+    return Directions(random);
+  }
+}
+
+/// The set that a core should be, by its support function alone; metres.
+template <int L>
+struct ExpectedSet {
+  /// Largest <direction, x> for a unit direction.
+  std::function<double(const dgd::Vector<double, L>&)> height;
+  double extent = 0;  ///< Largest distance of two points, at least and at most twice that.
+  double reach = 0;   ///< Largest length among the numbers that the core is made of, and the extent.
+};
+
+inline ExpectedSet<3> Expected(const ReferenceSet& reference) {
   double reach = reference.Extent();
   for (const Eigen::Vector3d& point : reference.points) reach = std::max(reach, point.norm());
-  return 8 * double(dgd::kEpsilon<S>) * reach;
+  return {[reference](const Eigen::Vector3d& direction) { return reference.Height(direction); }, reference.Extent(),
+          reach};
+}
+
+/// The hull of points.
+template <int L>
+ExpectedSet<L> ExpectedHull(const std::vector<dgd::Vector<double, L>>& points) {
+  ExpectedSet<L> expected;
+  for (const auto& point : points) {
+    expected.extent = std::max(expected.extent, 2 * (point - points[0]).norm());
+    expected.reach = std::max({expected.reach, expected.extent, point.norm()});
+  }
+  expected.height = [points](const dgd::Vector<double, L>& direction) {
+    double highest = -std::numeric_limits<double>::infinity();
+    for (const auto& point : points) highest = std::max(highest, direction.dot(point));
+    return highest;
+  };
+  return expected;
+}
+
+/// Lengths of a core of this extent, and of the numbers it is made of, are right to this; metres.
+template <class S, int L>
+double Rounding(const ExpectedSet<L>& expected) {
+  return 8 * double(dgd::kEpsilon<S>) * expected.reach;
+}
+
+/// The point of the named piece is the support point; and see CheckPieces().
+template <dgd::SmoothCore Core>
+void CheckPieceOf(const Core& core, const dgd::VectorOf<Core>& direction,
+                  const dgd::SupportPoint<typename Core::Scalar, dgd::kDimension<Core>>& support, double tolerance) {
+  ASSERT_LT(support.feature, core.PieceCount());
+  const auto piece = core.PieceSupport(support.feature, direction);
+  EXPECT_LE(double((piece.point - support.point).norm()), tolerance) << direction.transpose();
 }
 
 /// The support point is a point of the core and none is farther along the direction.
-template <class Core>
-void CheckSupport(const Core& core, const ReferenceSet& reference, Random& random) {
+template <class Core, int L = dgd::kDimension<Core>>
+void CheckSupport(const Core& core, const ExpectedSet<L>& expected, Random& random) {
   using S = typename Core::Scalar;
-  const double tolerance = Rounding<S>(reference);
-  for (const Eigen::Vector3d& direction : Directions(random)) {
+  using VectorS = dgd::Vector<S, L>;
+  const double tolerance = Rounding<S>(expected);
+  for (const auto& direction : DirectionsOf<L>(random)) {
     for (const double length : {1.0, 1e-3, 1e5}) {
-      const dgd::Vector3<S> scaled = (length * direction).template cast<S>();
-      const dgd::SupportPoint<S> support = core.Support(scaled);
-      const Eigen::Vector3d unit = scaled.template cast<double>().normalized();
+      const VectorS scaled = (length * direction).template cast<S>();
+      const dgd::SupportPoint<S, L> support = core.Support(scaled);
+      const dgd::Vector<double, L> unit = scaled.template cast<double>().normalized();
       ASSERT_TRUE(support.point.allFinite());
-      EXPECT_NEAR(unit.dot(support.point.template cast<double>()), reference.Height(unit), tolerance)
+      EXPECT_NEAR(unit.dot(support.point.template cast<double>()), expected.height(unit), tolerance)
+          << direction.transpose() << " times " << length;
+      EXPECT_NEAR(double(core.SupportValue(scaled)) / scaled.template cast<double>().norm(), expected.height(unit),
+                  tolerance)
           << direction.transpose() << " times " << length;
       EXPECT_LE(double(core.Distance(support.point)), tolerance) << direction.transpose();
       if constexpr (dgd::VertexCore<Core>) {
         ASSERT_LT(support.feature, core.VertexCount());
-        EXPECT_EQ(support.point, dgd::Vector3<S>(core.Vertex(support.feature)));
+        EXPECT_EQ(support.point, VectorS(core.Vertex(support.feature)));
+      } else if constexpr (dgd::SmoothCore<Core>) {
+        CheckPieceOf(core, scaled, support, tolerance);
       } else {
         EXPECT_EQ(support.feature, dgd::kNoFeature);
       }
     }
   }
-  EXPECT_LE(double(core.Distance(core.Support(dgd::Vector3<S>::Zero()).point)), tolerance);
+  const dgd::SupportPoint<S, L> any = core.Support(VectorS::Zero());
+  EXPECT_LE(double(core.Distance(any.point)), tolerance);
+  EXPECT_EQ(core.SupportValue(VectorS::Zero()), S(0));
+  if constexpr (dgd::SmoothCore<Core>) CheckPieceOf(core, VectorS(VectorS::Zero()), any, tolerance);
+}
+
+/// Central difference of a piece's support point, column by column.
+template <class Core, int L = dgd::kDimension<Core>>
+dgd::SquareMatrix<double, L> CentralDifference(const Core& core, dgd::FeatureId piece,
+                                               const dgd::Vector<double, L>& direction, double step) {
+  using S = typename Core::Scalar;
+  dgd::SquareMatrix<double, L> difference;
+  for (int axis = 0; axis < L; ++axis) {
+    dgd::Vector<double, L> ahead = direction, behind = direction;
+    ahead[axis] += step;
+    behind[axis] -= step;
+    const dgd::Vector<S, L> moved = core.PieceSupport(piece, ahead.template cast<S>()).point -
+                                    core.PieceSupport(piece, behind.template cast<S>()).point;
+    difference.col(axis) = moved.template cast<double>() / (2 * step);
+  }
+  return difference;
+}
+
+/// Every piece's point is the core's, for every direction; and the derivative, where there is one, is symmetric,
+/// positive semidefinite, 0 along the direction, inversely proportional to its length, and how the point moves.
+template <dgd::SmoothCore Core, int L = dgd::kDimension<Core>>
+void CheckPieces(const Core& core, const ExpectedSet<L>& expected, Random& random) {
+  using S = typename Core::Scalar;
+  const double epsilon = double(dgd::kEpsilon<S>);
+  int compared = 0;
+  for (const auto& direction : DirectionsOf<L>(random)) {
+    const dgd::Vector<S, L> d = direction.template cast<S>();
+    for (dgd::FeatureId piece = 0; piece < core.PieceCount(); ++piece) {
+      const dgd::CurvedPoint<S, L> curved = core.PieceSupport(piece, d);
+      ASSERT_TRUE(curved.point.allFinite());
+      EXPECT_LE(double(core.Distance(curved.point)), Rounding<S>(expected)) << direction.transpose();
+      if (!curved.derivative.allFinite()) continue;
+      const dgd::SquareMatrix<double, L> derivative = curved.derivative.template cast<double>();
+      const double size = derivative.norm(), rounding = 64 * epsilon * (size + expected.reach);
+      EXPECT_LE((derivative - derivative.transpose()).norm(), rounding);
+      EXPECT_LE((derivative * direction).norm(), rounding) << direction.transpose();
+      const Eigen::SelfAdjointEigenSolver<dgd::SquareMatrix<double, L>> eigen(derivative);
+      EXPECT_GE(eigen.eigenvalues().minCoeff(), -rounding) << direction.transpose();
+      const auto doubled = core.PieceSupport(piece, 2 * d).derivative;
+      EXPECT_LE(double((2 * doubled - curved.derivative).norm()), rounding) << direction.transpose();
+      // Two steps: where they differ, the derivative itself changes over the step, and about so much is unknown; where
+      // by much, the difference tells nothing.
+      const double step = std::cbrt(epsilon);
+      const auto fine = CentralDifference(core, piece, direction, step);
+      const auto coarse = CentralDifference(core, piece, direction, 2 * step);
+      const double unknown = (coarse - fine).norm();
+      if (unknown > 0.1 * fine.norm()) continue;
+      ++compared;
+      EXPECT_LE((fine - derivative).norm(), 1e-3 * size + 2 * unknown + Rounding<S>(expected) / step)
+          << direction.transpose() << " piece " << piece << "\n"
+          << derivative << "\n"
+          << fine;
+    }
+  }
+  EXPECT_GT(compared, kDirections / 2);
+}
+
+/// Any hint gives a point as high as none.
+template <dgd::HintedCore Core, int L = dgd::kDimension<Core>>
+void CheckHints(const Core& core, const ExpectedSet<L>& expected, Random& random) {
+  using S = typename Core::Scalar;
+  for (const auto& direction : DirectionsOf<L>(random)) {
+    const dgd::FeatureId any = static_cast<dgd::FeatureId>(random.Below(1000));
+    for (const dgd::FeatureId hint : {dgd::FeatureId(0), dgd::kNoFeature, any}) {
+      const auto point = core.Support(direction.template cast<S>(), hint).point;
+      EXPECT_NEAR(direction.dot(point.template cast<double>()), expected.height(direction), Rounding<S>(expected))
+          << direction.transpose() << " from " << hint;
+    }
+  }
 }
 
 /// The ball about the centre lies inside: no supporting plane is nearer than the inradius.
-template <class Core>
-void CheckCenter(const Core& core, const ReferenceSet& reference, Random& random) {
+template <class Core, int L = dgd::kDimension<Core>>
+void CheckCenter(const Core& core, const ExpectedSet<L>& expected, Random& random) {
   using S = typename Core::Scalar;
-  const dgd::Vector3<S> center = core.Center();
-  EXPECT_LE(double(core.Distance(center)), Rounding<S>(reference));
+  const dgd::Vector<S, L> center = core.Center();
+  EXPECT_LE(double(core.Distance(center)), Rounding<S>(expected));
   ASSERT_GE(core.Inradius(), S(0));
-  for (const Eigen::Vector3d& direction : Directions(random)) {
-    const double to_plane = reference.Height(direction) - direction.dot(center.template cast<double>());
-    EXPECT_GE(to_plane, double(core.Inradius()) - Rounding<S>(reference)) << direction.transpose();
+  for (const auto& direction : DirectionsOf<L>(random)) {
+    const double to_plane = expected.height(direction) - direction.dot(center.template cast<double>());
+    EXPECT_GE(to_plane, double(core.Inradius()) - Rounding<S>(expected)) << direction.transpose();
   }
 }
 
 /// Wherever it is moved, the centre keeps the ball about it inside, and comes no farther from the point than it was.
-template <dgd::CenteredCore Core>
-void CheckMovedCenter(const Core& core, const ReferenceSet& reference, Random& random) {
+template <dgd::CenteredCore Core, int L = dgd::kDimension<Core>>
+void CheckMovedCenter(const Core& core, const ExpectedSet<L>& expected, Random& random) {
   using S = typename Core::Scalar;
   for (const double distance : {0.0, 0.3, 1.0, 30.0}) {
-    const Eigen::Vector3d offset = distance * reference.Extent() * random.UnitVector();
-    const dgd::Vector3<S> point = core.Center() + offset.template cast<S>();
+    const dgd::Vector<double, L> offset = distance * expected.extent * random.UnitVector().template head<L>();
+    const dgd::Vector<S, L> point = core.Center() + offset.template cast<S>();
     Core moved = core;
     moved.MoveCenterNear(point);
-    CheckCenter(moved, reference, random);
+    CheckCenter(moved, expected, random);
     EXPECT_LE(double((moved.Center() - point).norm()),
-              double((core.Center() - point).norm()) + Rounding<S>(reference) * (1 + distance));
+              double((core.Center() - point).norm()) + Rounding<S>(expected) * (1 + distance));
   }
 }
 
 /// From a support point outwards along its normal, the distance is the length of the way; and inside it is 0.
-template <class Core>
-void CheckDistance(const Core& core, const ReferenceSet& reference, Random& random) {
+template <class Core, int L = dgd::kDimension<Core>>
+void CheckDistance(const Core& core, const ExpectedSet<L>& expected, Random& random) {
   using S = typename Core::Scalar;
-  const dgd::Vector3<S> center = core.Center();
-  for (const Eigen::Vector3d& direction : Directions(random)) {
-    const dgd::Vector3<S> normal = direction.template cast<S>();
-    const dgd::Vector3<S> surface = core.Support(normal).point;
+  const dgd::Vector<S, L> center = core.Center();
+  for (const auto& direction : DirectionsOf<L>(random)) {
+    const dgd::Vector<S, L> normal = direction.template cast<S>();
+    const dgd::Vector<S, L> surface = core.Support(normal).point;
     for (const double part : {1e-3, 0.1, 3.0}) {
-      const S way = static_cast<S>(part * (reference.Extent() + 0.01));
-      const double rounding = 4 * Rounding<S>(reference) + 8 * double(dgd::kEpsilon<S>) * double(way);
+      const S way = static_cast<S>(part * (expected.extent + 0.01));
+      const double rounding = 4 * Rounding<S>(expected) + 8 * double(dgd::kEpsilon<S>) * double(way);
       EXPECT_NEAR(double(core.Distance(surface + way * normal)), double(way), rounding) << direction.transpose();
     }
     const S inside = static_cast<S>(random.Uniform(0, 0.999));
-    EXPECT_LE(double(core.Distance(center + inside * (surface - center))), Rounding<S>(reference));
+    EXPECT_LE(double(core.Distance(center + inside * (surface - center))), Rounding<S>(expected));
   }
 }
 
 /// The face's points are the core's and reach the support height, but for `discretisation` metres, the part that a
 /// polygon takes off a disc.
 template <class Core>
-void CheckSupportFace(const Core& core, const ReferenceSet& reference, double discretisation, Random& random) {
+void CheckSupportFace(const Core& core, const ExpectedSet<3>& expected, double discretisation, Random& random) {
   using S = typename Core::Scalar;
   for (const Eigen::Vector3d& direction : Directions(random)) {
     dgd::SupportingFace<S> face;
@@ -123,22 +269,30 @@ void CheckSupportFace(const Core& core, const ReferenceSet& reference, double di
     double highest = -std::numeric_limits<double>::infinity();
     for (int i = 0; i < face.size; ++i) {
       const dgd::Vector3<S>& point = face.points[static_cast<std::size_t>(i)];
-      EXPECT_LE(double(core.Distance(point)), Rounding<S>(reference)) << direction.transpose();
+      EXPECT_LE(double(core.Distance(point)), Rounding<S>(expected)) << direction.transpose();
       highest = std::max(highest, direction.dot(point.template cast<double>()));
     }
-    EXPECT_GE(highest, reference.Height(direction) - discretisation - Rounding<S>(reference))
+    EXPECT_GE(highest, expected.height(direction) - discretisation - Rounding<S>(expected))
         << direction.transpose() << "\nface of " << face.size << " points";
   }
 }
 
 template <class Core>
-void CheckShape(const Core& core, const ReferenceSet& reference, double discretisation = 0) {
+void CheckExpected(const Core& core, const ExpectedSet<dgd::kDimension<Core>>& expected, double discretisation = 0) {
+  static_assert(dgd::CertifiableCore<Core>);
   Random random(TestSeed());
-  CheckSupport(core, reference, random);
-  CheckCenter(core, reference, random);
-  if constexpr (dgd::CenteredCore<Core>) CheckMovedCenter(core, reference, random);
-  CheckDistance(core, reference, random);
-  CheckSupportFace(core, reference, discretisation, random);
+  CheckSupport(core, expected, random);
+  CheckCenter(core, expected, random);
+  if constexpr (dgd::SmoothCore<Core>) CheckPieces(core, expected, random);
+  if constexpr (dgd::HintedCore<Core>) CheckHints(core, expected, random);
+  if constexpr (dgd::CenteredCore<Core>) CheckMovedCenter(core, expected, random);
+  CheckDistance(core, expected, random);
+  if constexpr (dgd::kDimension<Core> == 3) CheckSupportFace(core, expected, discretisation, random);
+}
+
+template <class Core>
+void CheckShape(const Core& core, const ReferenceSet& reference, double discretisation = 0) {
+  CheckExpected(core, Expected(reference), discretisation);
 }
 
 /// Runs `make` and expects std::invalid_argument with `part` in its message.

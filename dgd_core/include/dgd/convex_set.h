@@ -40,6 +40,16 @@ concept ConvexCore = requires(const Core& core, const VectorOf<Core>& direction)
   { core.Inradius() } -> std::convertible_to<typename Core::Scalar>;
 };
 
+/// What a certificate asks of a core besides, each by a formula of its own, so that it does not repeat an error of
+/// Support():
+///  * SupportValue(d): max <d, x> over the core; d need not have unit length. Metres times the direction's unit.
+///  * Distance(x): Euclidean distance of a point to the core, 0 inside; metres.
+template <class Core>
+concept CertifiableCore = ConvexCore<Core> && requires(const Core& core, const VectorOf<Core>& vector) {
+  { core.SupportValue(vector) } -> std::convertible_to<typename Core::Scalar>;
+  { core.Distance(vector) } -> std::convertible_to<typename Core::Scalar>;
+};
+
 /// A core whose support points are vertices that can be named and found again: what a primal warm start needs.
 template <class Core>
 concept VertexCore = ConvexCore<Core> && requires(const Core& core, VertexId vertex) {
@@ -113,6 +123,7 @@ class CoreReference {
     return core_->PieceSupport(piece, direction);
   }
   FeatureId PieceCount() const requires SmoothCore<CoreType> { return core_->PieceCount(); }
+  Scalar SupportValue(const VectorOf<CoreType>& direction) const { return core_->SupportValue(direction); }
   Scalar Distance(const VectorOf<CoreType>& point) const { return core_->Distance(point); }
   template <class Face>
   void SupportFace(const VectorOf<CoreType>& direction, Face& face) const {

@@ -1,49 +1,58 @@
-// A box, aligned with its frame's axes and centred.
+// A box, aligned with its frame's axes and centred; in the plane, a rectangle.
 #pragma once
+
+#include <cmath>
 
 #include "dgd/convex_set.h"
 #include "dgd/supporting_face.h"
 
 namespace dgd {
 
-template <class S>
+template <class S, int L = 3>
 class Box {
  public:
   using Scalar = S;
 
   /// @param half_extents  Metres, each >= 0; a zero makes a rectangle, a segment or a point.
-  explicit Box(const Vector3<S>& half_extents) : half_extents_(half_extents) {
-    for (int axis = 0; axis < 3; ++axis) RequireLength(half_extents[axis], true, "box half extent");
+  explicit Box(const Vector<S, L>& half_extents) : half_extents_(half_extents) {
+    for (int axis = 0; axis < L; ++axis) RequireLength(half_extents[axis], true, "box half extent");
   }
 
-  SupportPoint<S> Support(const Vector3<S>& direction) const {
+  SupportPoint<S, L> Support(const Vector<S, L>& direction) const {
     // The sign bit, as copysign() reads it: -0 counts as negative in both.
-    const VertexId corner = VertexId(std::signbit(direction.x())) | VertexId(std::signbit(direction.y())) << 1 |
-                            VertexId(std::signbit(direction.z())) << 2;
-    return {Vector3<S>(std::copysign(half_extents_.x(), direction.x()), std::copysign(half_extents_.y(), direction.y()),
-                       std::copysign(half_extents_.z(), direction.z())),
-            corner};
+    SupportPoint<S, L> support{half_extents_, 0};
+    for (int axis = 0; axis < L; ++axis) {
+      support.point[axis] = std::copysign(half_extents_[axis], direction[axis]);
+      support.feature |= VertexId(std::signbit(direction[axis])) << axis;
+    }
+    return support;
   }
-  const Vector3<S>& Center() const { return center_; }
+  const Vector<S, L>& Center() const { return center_; }
   S Inradius() const { return half_extents_.minCoeff(); }
   /// See CenteredCore.
-  void MoveCenterNear(const Vector3<S>& point) {
-    const Vector3<S> reach = half_extents_.array() - Inradius();
+  void MoveCenterNear(const Vector<S, L>& point) {
+    const Vector<S, L> reach = half_extents_.array() - Inradius();
     center_ = point.cwiseMax(-reach).cwiseMin(reach);
   }
 
   /// Bit i of `corner` is set where coordinate i is negative.
-  Vector3<S> Vertex(VertexId corner) const {
-    return {corner & 1 ? -half_extents_.x() : half_extents_.x(), corner & 2 ? -half_extents_.y() : half_extents_.y(),
-            corner & 4 ? -half_extents_.z() : half_extents_.z()};
+  Vector<S, L> Vertex(VertexId corner) const {
+    Vector<S, L> vertex = half_extents_;
+    for (int axis = 0; axis < L; ++axis) {
+      if (corner >> axis & 1) vertex[axis] = -vertex[axis];
+    }
+    return vertex;
   }
-  VertexId VertexCount() const { return 8; }
+  VertexId VertexCount() const { return 1U << L; }
+
+  /// Largest <direction, x> over the core.
+  S SupportValue(const Vector<S, L>& direction) const { return direction.cwiseAbs().dot(half_extents_); }
 
   /// Distance of `point` to the core, metres; 0 inside.
-  S Distance(const Vector3<S>& point) const { return (point.cwiseAbs() - half_extents_).cwiseMax(S(0)).norm(); }
+  S Distance(const Vector<S, L>& point) const { return (point.cwiseAbs() - half_extents_).cwiseMax(S(0)).norm(); }
 
   /// The face whose outward normal is nearest to `direction`.
-  void SupportFace(const Vector3<S>& direction, SupportingFace<S>& face) const {
+  void SupportFace(const Vector<S, L>& direction, SupportingFace<S>& face) const requires(L == 3) {
     int axis = 0;
     direction.cwiseAbs().maxCoeff(&axis);
     const int first = (axis + 1) % 3;
@@ -58,8 +67,12 @@ class Box {
   }
 
  private:
-  Vector3<S> half_extents_;
-  Vector3<S> center_ = Vector3<S>::Zero();
+  Vector<S, L> half_extents_;
+  Vector<S, L> center_ = Vector<S, L>::Zero();
 };
+
+/// In the plane.
+template <class S>
+using Rectangle = Box<S, 2>;
 
 }  // namespace dgd

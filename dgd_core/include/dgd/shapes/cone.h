@@ -22,15 +22,27 @@ class Cone {
   SupportPoint<S> Support(const Vector3<S>& direction) const {
     // The apex beats the rim where height * d_z > radius * |d_xy|.
     const S lateral = std::sqrt(direction.x() * direction.x() + direction.y() * direction.y());
-    if (height_ * direction.z() > radius_ * lateral) return {Vector3<S>(0, 0, height_ / 2)};
-    return {DiscSupport(direction, radius_, -height_ / 2)};
+    if (height_ * direction.z() > radius_ * lateral) return {Apex(), 0};
+    return {DiscSupport(direction, radius_, -height_ / 2), 1};
   }
+  /// Piece 0 is the apex, piece 1 the base's rim.
+  CurvedPoint<S> PieceSupport(FeatureId piece, const Vector3<S>& direction) const {
+    if (piece == 0) return {Apex(), Matrix3<S>::Zero()};
+    return RimSupport(direction, radius_, -height_ / 2);
+  }
+  FeatureId PieceCount() const { return 2; }
 
   /// The centroid, a quarter of the height above the base.
   Vector3<S> Center() const { return {0, 0, -height_ / 4}; }
   S Inradius() const {
     const S slant = std::hypot(radius_, height_);
     return slant > 0 ? std::min(height_ / 4, height_ * S(0.75) * radius_ / slant) : S(0);
+  }
+
+  /// Largest <direction, x> over the core.
+  S SupportValue(const Vector3<S>& direction) const {
+    const S at_apex = height_ / 2 * direction.z();
+    return std::max(at_apex, radius_ * std::hypot(direction.x(), direction.y()) - at_apex);
   }
 
   /// Distance of `point` to the core, metres; 0 inside. In the half plane through the axis the cone is a triangle.
@@ -57,12 +69,14 @@ class Cone {
     if (-direction.z() >= facing_side) {
       AddDisc(direction, radius_, -height_ / 2, face);
     } else {
-      face.Add(Vector3<S>(0, 0, height_ / 2));
+      face.Add(Apex());
       face.Add(DiscSupport(direction, radius_, -height_ / 2));
     }
   }
 
  private:
+  Vector3<S> Apex() const { return {0, 0, height_ / 2}; }
+
   S radius_;
   S height_;
 };

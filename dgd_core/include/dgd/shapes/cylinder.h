@@ -21,8 +21,14 @@ class Cylinder {
         half_height_(RequireLength(half_height, true, "cylinder half height")) {}
 
   SupportPoint<S> Support(const Vector3<S>& direction) const {
-    return {DiscSupport(direction, radius_, std::copysign(half_height_, direction.z()))};
+    return {DiscSupport(direction, radius_, std::copysign(half_height_, direction.z())),
+            FeatureId(std::signbit(direction.z()))};
   }
+  /// Piece 0 is the top cap's rim, piece 1 the bottom cap's.
+  CurvedPoint<S> PieceSupport(FeatureId piece, const Vector3<S>& direction) const {
+    return RimSupport(direction, radius_, piece == 0 ? half_height_ : -half_height_);
+  }
+  FeatureId PieceCount() const { return 2; }
   const Vector3<S>& Center() const { return center_; }
   S Inradius() const { return std::min(radius_, half_height_); }
   /// See CenteredCore.
@@ -31,6 +37,11 @@ class Cylinder {
     const S lateral = std::hypot(point.x(), point.y());
     const S scale = lateral > reach ? reach / lateral : S(1);
     center_ = {scale * point.x(), scale * point.y(), std::clamp(point.z(), -reach_z, reach_z)};
+  }
+
+  /// Largest <direction, x> over the core.
+  S SupportValue(const Vector3<S>& direction) const {
+    return radius_ * std::hypot(direction.x(), direction.y()) + half_height_ * std::abs(direction.z());
   }
 
   /// Distance of `point` to the core, metres; 0 inside.

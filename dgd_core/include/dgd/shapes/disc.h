@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "dgd/supporting_face.h"
 #include "dgd/types.h"
@@ -22,6 +23,24 @@ Vector3<S> DiscSupport(const Vector3<S>& direction, S radius, S z) {
   if (!(lateral > kSmallestLateral<S>)) return {radius, 0, z};
   const S scale = radius / lateral;
   return {direction.x() * scale, direction.y() * scale, z};
+}
+
+/// DiscSupport() as a smooth piece. A disc of radius 0 is a point, which does not move with the direction; along the
+/// axis the rim has no derivative, and NaN says so.
+template <class S>
+CurvedPoint<S> RimSupport(const Vector3<S>& direction, S radius, S z) {
+  CurvedPoint<S> rim{DiscSupport(direction, radius, z), Matrix3<S>::Zero()};
+  if (radius == 0) return rim;
+  const S lateral = std::sqrt(direction.x() * direction.x() + direction.y() * direction.y());
+  if (!(lateral > kSmallestLateral<S>)) {
+    rim.derivative.template topLeftCorner<2, 2>().setConstant(std::numeric_limits<S>::quiet_NaN());
+    return rim;
+  }
+  // radius / lateral * (I - n n^T), whose diagonal is the other coordinate's square.
+  const S x = direction.x() / lateral, y = direction.y() / lateral;
+  const S slope = radius / lateral;
+  rim.derivative.template topLeftCorner<2, 2>() << slope * y * y, -slope * x * y, -slope * x * y, slope * x * x;
+  return rim;
 }
 
 /// Points of the inscribed polygon that stands for a disc in a contact patch.

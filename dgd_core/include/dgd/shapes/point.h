@@ -1,4 +1,4 @@
-// A point; with a radius, a sphere.
+// A point; with a radius, a sphere or a circle.
 #pragma once
 
 #include "dgd/convex_set.h"
@@ -7,22 +7,27 @@
 namespace dgd {
 
 /// The origin of its own frame.
-template <class S>
+template <class S, int L = 3>
 class Point {
  public:
   using Scalar = S;
 
-  SupportPoint<S> Support(const Vector3<S>&) const { return {Vector3<S>::Zero(), 0}; }
-  Vector3<S> Center() const { return Vector3<S>::Zero(); }
+  SupportPoint<S, L> Support(const Vector<S, L>&) const { return {Vector<S, L>::Zero(), 0}; }
+  Vector<S, L> Center() const { return Vector<S, L>::Zero(); }
   S Inradius() const { return 0; }
 
-  Vector3<S> Vertex(VertexId) const { return Vector3<S>::Zero(); }
+  Vector<S, L> Vertex(VertexId) const { return Vector<S, L>::Zero(); }
   VertexId VertexCount() const { return 1; }
 
-  /// Distance of `point` to the core, metres; 0 inside.
-  S Distance(const Vector3<S>& point) const { return point.norm(); }
+  /// Largest <direction, x> over the core.
+  S SupportValue(const Vector<S, L>&) const { return 0; }
 
-  void SupportFace(const Vector3<S>&, SupportingFace<S>& face) const { face.Add(Vector3<S>::Zero()); }
+  /// Distance of `point` to the core, metres; 0 inside.
+  S Distance(const Vector<S, L>& point) const { return point.norm(); }
+
+  void SupportFace(const Vector<S, L>&, SupportingFace<S>& face) const requires(L == 3) {
+    face.Add(Vector<S, L>::Zero());
+  }
 };
 
 }  // namespace dgd

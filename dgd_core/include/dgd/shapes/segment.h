@@ -1,46 +1,56 @@
-// A segment along the z axis, centred; with a radius, a capsule.
+// A segment along its frame's last axis (z, in the plane y), centred; with a radius, a capsule or a stadium.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "dgd/convex_set.h"
 #include "dgd/supporting_face.h"
 
 namespace dgd {
 
-template <class S>
+template <class S, int L = 3>
 class Segment {
  public:
   using Scalar = S;
 
-  /// @param half_length  Metres, >= 0: the end points are (0, 0, +-half_length).
+  /// @param half_length  Metres, >= 0: the end points are +-half_length on the last axis.
   explicit Segment(S half_length) : half_length_(RequireLength(half_length, true, "segment half length")) {}
 
-  SupportPoint<S> Support(const Vector3<S>& direction) const {
-    const VertexId end = direction.z() < 0;
+  SupportPoint<S, L> Support(const Vector<S, L>& direction) const {
+    const VertexId end = direction[L - 1] < 0;
     return {Vertex(end), end};
   }
-  Vector3<S> Center() const { return {0, 0, center_z_}; }
+  Vector<S, L> Center() const { return OnAxis(center_); }
   /// See CenteredCore.
-  void MoveCenterNear(const Vector3<S>& point) { center_z_ = std::clamp(point.z(), -half_length_, half_length_); }
+  void MoveCenterNear(const Vector<S, L>& point) { center_ = std::clamp(point[L - 1], -half_length_, half_length_); }
   S Inradius() const { return 0; }
 
-  Vector3<S> Vertex(VertexId end) const { return {0, 0, end == 0 ? half_length_ : -half_length_}; }
+  Vector<S, L> Vertex(VertexId end) const { return OnAxis(end == 0 ? half_length_ : -half_length_); }
   VertexId VertexCount() const { return 2; }
 
+  /// Largest <direction, x> over the core.
+  S SupportValue(const Vector<S, L>& direction) const { return half_length_ * std::abs(direction[L - 1]); }
+
   /// Distance of `point` to the core, metres; 0 on it.
-  S Distance(const Vector3<S>& point) const {
-    return (point - Vector3<S>(0, 0, std::clamp(point.z(), -half_length_, half_length_))).norm();
+  S Distance(const Vector<S, L>& point) const {
+    return (point - OnAxis(std::clamp(point[L - 1], -half_length_, half_length_))).norm();
   }
 
-  void SupportFace(const Vector3<S>&, SupportingFace<S>& face) const {
+  void SupportFace(const Vector<S, L>&, SupportingFace<S>& face) const requires(L == 3) {
     face.Add(Vertex(0));
     face.Add(Vertex(1));
   }
 
  private:
+  static Vector<S, L> OnAxis(S height) {
+    Vector<S, L> point = Vector<S, L>::Zero();
+    point[L - 1] = height;
+    return point;
+  }
+
   S half_length_;
-  S center_z_ = 0;
+  S center_ = 0;
 };
 
 }  // namespace dgd

@@ -65,6 +65,11 @@ class Triangle {
   const Vector3<S>& Vertex(VertexId corner) const { return corners_[corner]; }
   VertexId VertexCount() const { return 3; }
 
+  /// Largest <direction, x> over the core.
+  S SupportValue(const Vector3<S>& direction) const {
+    return std::max({direction.dot(corners_[0]), direction.dot(corners_[1]), direction.dot(corners_[2])});
+  }
+
   /// Distance of `point` to the core, metres; 0 on it.
   S Distance(const Vector3<S>& point) const {
     return (ClosestPointOnTriangle(point, corners_[0], corners_[1], corners_[2]) - point).norm();

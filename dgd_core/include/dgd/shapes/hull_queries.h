@@ -1,0 +1,95 @@
+// What the shapes that are the hull of points have in common: slow and plain looks at the hull, in double.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "dgd/convex_hull.h"
+#include "dgd/shapes/triangle.h"
+#include "dgd/supporting_face.h"
+
+namespace dgd {
+
+/// Largest coordinate of the hull's vertices; metres.
+inline double LargestCoordinate(const ConvexHull& hull) {
+  double extent = 0;
+  for (const Eigen::Vector3d& vertex : hull.vertices) extent = std::max(extent, vertex.lpNorm<Eigen::Infinity>());
+  return extent;
+}
+
+/// Radius of the ball about the centre that is inside also when the vertices are rounded to S; metres.
+template <class S>
+S InradiusOfRounded(const ConvexHull& hull) {
+  // Rounding of the vertices moves a facet by at most their rounding error.
+  constexpr double kVertexRounding = 2 * std::numeric_limits<S>::epsilon();
+  return static_cast<S>(std::max(0.0, hull.inradius - kVertexRounding * LargestCoordinate(hull)));
+}
+
+/// Largest <direction, x> over the hull's vertices.
+inline double SupportValueOf(const ConvexHull& hull, const Eigen::Vector3d& direction) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d& vertex : hull.vertices) highest = std::max(highest, direction.dot(vertex));
+  return highest;
+}
+
+/// Distance of `point` to the hull, metres; 0 inside. Looks at every facet.
+inline double DistanceTo(const ConvexHull& hull, const Eigen::Vector3d& point) {
+  if (hull.dimension < 2) {
+    const Eigen::Vector3d& end = hull.vertices.back();
+    return (ClosestPointOnTriangle<double>(point, hull.vertices.front(), end, end) - point).norm();
+  }
+  // Outside at least one facet's plane; the nearest point then lies on one of those facets. Flat hulls have none
+  // inside.
+  double nearest = hull.dimension == 2 ? std::numeric_limits<double>::infinity() : 0;
+  bool outside = hull.dimension == 2;
+  for (std::size_t facet = 0; facet < hull.normals.size(); ++facet) {
+    const auto begin = static_cast<std::size_t>(hull.facet_start[facet]);
+    const auto end = static_cast<std::size_t>(hull.facet_start[facet + 1]);
+    const Eigen::Vector3d& first = hull.vertices[hull.facet_vertices[begin]];
+    if (hull.dimension == 3 && hull.normals[facet].dot(point - first) <= 0) continue;
+    if (!outside) nearest = std::numeric_limits<double>::infinity();
+    outside = true;
+    for (std::size_t i = begin + 1; i + 1 < end; ++i) {
+      const Eigen::Vector3d on_facet = ClosestPointOnTriangle<double>(
+          point, first, hull.vertices[hull.facet_vertices[i]], hull.vertices[hull.facet_vertices[i + 1]]);
+      nearest = std::min(nearest, (on_facet - point).norm());
+    }
+  }
+  return nearest;
+}
+
+/// Of the facets around `vertex`, the support vertex along `direction`, the one whose normal is nearest to it; for
+/// hulls below dimension 2 the whole hull.
+template <class S>
+void AddSupportFace(const ConvexHull& hull, VertexId vertex, const Vector3<S>& direction, SupportingFace<S>& face) {
+  if (hull.dimension < 2) {
+    for (const Eigen::Vector3d& end : hull.vertices) face.Add(end.template cast<S>());
+    return;
+  }
+  const Eigen::Vector3d d = direction.template cast<double>();
+  int best_facet = -1;
+  double best_alignment = -std::numeric_limits<double>::infinity();
+  for (int i = hull.vertex_start[vertex]; i < hull.vertex_start[vertex + 1]; ++i) {
+    const int facet = hull.vertex_facets[static_cast<std::size_t>(i)];
+    const double alignment = hull.normals[static_cast<std::size_t>(facet)].dot(d);
+    if (alignment > best_alignment) {
+      best_alignment = alignment;
+      best_facet = facet;
+    }
+  }
+  const int begin = hull.facet_start[static_cast<std::size_t>(best_facet)];
+  const int count = hull.facet_start[static_cast<std::size_t>(best_facet) + 1] - begin;
+  const VertexId* facet_vertices = hull.facet_vertices.data() + begin;
+  const auto add = [&](int i) { face.Add(hull.vertices[facet_vertices[i]].template cast<S>()); };
+  constexpr int kMaxPoints = SupportingFace<S>::kMaxPoints;
+  if (count <= kMaxPoints) {
+    for (int i = 0; i < count; ++i) add(i);
+    return;
+  }
+  // Thinned from the support vertex on, which stays.
+  int first = 0;
+  while (facet_vertices[first] != vertex) ++first;
+  for (int i = 0; i < kMaxPoints; ++i) add((first + i * count / kMaxPoints) % count);
+}
+
+}  // namespace dgd
