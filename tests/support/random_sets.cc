@@ -45,7 +45,8 @@ ReferenceSet RandomSet(Random& random, CoreType type, bool rounded) {
   set.type = type;
   set.size = RandomLengths(random);
   set.radius = rounded ? RandomLength(random) : 0;
-  const int count = type == CoreType::kTriangle ? 3 : type == CoreType::kPolytope ? 4 + random.Below(27) : 0;
+  const bool is_hull = type == CoreType::kPolytope || type == CoreType::kMesh;
+  const int count = type == CoreType::kTriangle ? 3 : is_hull ? 4 + random.Below(27) : 0;
   for (int i = 0; i < count; ++i) {
     const double reach = random.Uniform(0.7, 1.0);
     set.points.push_back(set.size.cwiseProduct(reach * random.UnitVector()));

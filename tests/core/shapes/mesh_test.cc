@@ -1,0 +1,113 @@
+#include "dgd/shapes/mesh.h"
+
+#include <numbers>
+
+#include "support/random_sets.h"
+#include "support/shape_contract.h"
+
+namespace dgd_test {
+namespace {
+
+using Eigen::Vector3d;
+using Points = std::vector<Vector3d>;
+
+template <class S>
+void CheckMesh(const Points& points, double discretisation = 0) {
+  CheckShape(dgd::Mesh<S>(points), {.type = CoreType::kMesh, .points = points}, discretisation);
+}
+
+TEST(Mesh, Contract_HoldsForRandomHulls) {
+  Random random(TestSeed());
+  for (int i = 0; i < 10; ++i) {
+    const ReferenceSet set = RandomSet(random, CoreType::kPolytope, false);
+    SCOPED_TRACE(i);
+    CheckMesh<double>(set.points);
+    CheckMesh<float>(set.points);
+  }
+}
+
+TEST(Mesh, Contract_HoldsForFlatHulls) {
+  CheckMesh<double>({{1, 2, 3}});
+  CheckMesh<double>({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}});
+  CheckMesh<double>({{0, 0, 0}, {1, 1, 1}, {0.25, 0.25, 0.25}});
+  CheckMesh<double>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0.5, 0.5, 0}});
+  CheckMesh<float>({{0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}});
+}
+
+/// No point of the set is higher than the support point, with and without a hint, but for rounding.
+template <class S>
+void CheckHeights(const Points& points, Random& random) {
+  const dgd::Mesh<S> mesh(points);
+  double reach = 0;
+  for (const Vector3d& point : points) reach = std::max(reach, point.norm());
+  // The facets' normals, and just beside them, are where the heights of a merged facet differ by rounding.
+  std::vector<Vector3d> directions = mesh.Hull().normals;
+  for (const Vector3d& normal : mesh.Hull().normals) {
+    directions.push_back(normal + random.LogUniform(1e-17, 1e-3) * random.UnitVector());
+  }
+  if (directions.size() > 400) directions.resize(400);
+  for (int i = 0; i < 100; ++i) directions.push_back(random.UnitVector());
+  for (const Vector3d& direction : directions) {
+    const double highest = mesh.SupportValue(direction.cast<S>());
+    const auto hint = static_cast<dgd::VertexId>(random.Below(static_cast<int>(mesh.VertexCount())));
+    for (const auto& support : {mesh.Support(direction.cast<S>()), mesh.Support(direction.cast<S>(), hint)}) {
+      EXPECT_NEAR(direction.dot(support.point.template cast<double>()), highest, 8 * double(dgd::kEpsilon<S>) * reach)
+          << direction.transpose();
+    }
+  }
+}
+
+Points Turned(Points points, Random& random) {
+  const Eigen::Matrix3d rotation = random.Rotation();
+  for (Vector3d& point : points) point = rotation * point;
+  return points;
+}
+
+// Merged facets of many vertices, whose turned coordinates are not exactly in a plane.
+TEST(Mesh, Support_IsHighestOnMergedFacets) {
+  Random random(TestSeed());
+  Points prism, grid;
+  for (int i = 0; i < 200; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 200;
+    for (const double z : {-1.0, 1.0}) prism.emplace_back(std::cos(angle), std::sin(angle), z);
+  }
+  for (int i = 0; i < 6 * 6 * 6; ++i) grid.emplace_back(i % 6 / 5.0, i / 6 % 6 / 5.0, i / 36 / 5.0);
+  for (int i = 0; i < 20; ++i) {
+    SCOPED_TRACE(i);
+    CheckHeights<double>(Turned(prism, random), random);
+    CheckHeights<float>(Turned(prism, random), random);
+    CheckHeights<double>(Turned(grid, random), random);
+    CheckHeights<float>(Turned(grid, random), random);
+  }
+}
+
+TEST(Mesh, Support_IsHighestOnManyVerticesAndNearDuplicates) {
+  Random random(TestSeed());
+  Points ball;
+  for (int i = 0; i < 1500; ++i) ball.push_back(random.UnitVector());
+  CheckHeights<double>(ball, random);
+  CheckHeights<float>(ball, random);
+  Points doubled(ball.begin(), ball.begin() + 200);
+  for (int i = 0; i < 200; ++i) doubled.push_back(doubled[std::size_t(i)] + 1e-15 * random.UnitVector());
+  CheckHeights<double>(doubled, random);
+  CheckHeights<float>(doubled, random);
+}
+
+TEST(Mesh, SupportFace_KeepsTheSupportPointOfALargeFacet) {
+  Points prism;
+  constexpr int kSides = 40;
+  for (int i = 0; i < kSides; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kSides;
+    for (const double z : {-1.0, 1.0}) prism.emplace_back(std::cos(angle), std::sin(angle), z);
+  }
+  CheckMesh<double>(prism, 1e-15);
+}
+
+TEST(Mesh, Constructor_RejectsEmptyAndNonFinitePoints) {
+  ExpectRejected([] { return dgd::Mesh<double>(Points{}); }, "at least one point");
+  const Points bad = {{0, 0, 0}, {1, std::numeric_limits<double>::quiet_NaN(), 0}};
+  ExpectRejected([&] { return dgd::Mesh<double>(bad); }, "hull point 1 must be finite; got (1");
+}
+
+}  // namespace
+}  // namespace dgd_test
