@@ -44,13 +44,12 @@ std::vector<Vector3d> Corners(const ReferenceSet& set) {
 /// The p-norm of the heights above the centre, straight from the definition.
 double DsfHeight(const ReferenceSet& set, const Vector3d& direction) {
   const double highest = HighestOf(set.points, direction) - direction.dot(set.center);
-  long double sum = 0;
+  double sum = 0;
   for (const Vector3d& point : set.points) {
     const double height = direction.dot(point - set.center);
-    if (height > 0) sum += std::pow(static_cast<long double>(height / highest), set.exponent);
+    if (height > 0) sum += std::pow(height / highest, set.exponent);
   }
-  return highest * static_cast<double>(std::pow(sum, 1 / static_cast<long double>(set.exponent))) +
-         direction.dot(set.center);
+  return highest * std::pow(sum, 1 / set.exponent) + direction.dot(set.center);
 }
 
 void Print(std::ostream& out, const Vector3d& v) { out << "{" << v.x() << ", " << v.y() << ", " << v.z() << "}"; }
@@ -129,6 +128,8 @@ double ReferenceSet::Extent() const {
     default:
       for (const Vector3d& corner : Corners(*this)) reach = std::max(reach, (corner - Middle()).norm());
   }
+  // The p-norm of n heights is so much larger than the largest of them at most.
+  if (type == CoreType::kDsf) reach *= std::pow(static_cast<double>(points.size()), 1 / exponent);
   return 2 * (reach + radius);
 }
 

@@ -187,7 +187,7 @@ void CheckPieces(const Core& core, const ExpectedSet<L>& expected, Random& rando
       const double unknown = (coarse - fine).norm();
       if (unknown > 0.1 * fine.norm()) continue;
       ++compared;
-      EXPECT_LE((fine - derivative).norm(), 1e-3 * size + 2 * unknown + Rounding<S>(expected) / step)
+      EXPECT_LE((fine - derivative).norm(), 2e-3 * size + 3 * unknown + Rounding<S>(expected) / step)
           << direction.transpose() << " piece " << piece << "\n"
           << derivative << "\n"
           << fine;
