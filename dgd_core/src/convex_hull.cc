@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -34,6 +35,7 @@ void RequireFinitePoints(std::span<const Vector3d> points) {
 struct AffineFrame {
   Vector3d origin;
   Vector3d axes[3];
+  double reaches[3] = {0, 0, 0};  ///< Distance of the farthest point along each axis, metres.
   int dimension = 0;
 };
 
@@ -52,6 +54,7 @@ AffineFrame FindAffineFrame(std::span<const Vector3d> points) {
       if (offset.squaredNorm() > farthest.squaredNorm()) farthest = offset;
     }
     const double distance = farthest.stableNorm();
+    frame.reaches[dimension] = distance;
     if (dimension == 0) extent = distance;
     if (!(distance > kFlatness * extent)) break;
     frame.axes[dimension] = farthest / distance;
@@ -176,6 +179,13 @@ class QhullRun {
                         messages_) == qh_ERRnone;
   }
 
+  /// The first line of what Qhull said.
+  std::string Message() {
+    std::fflush(messages_);
+    const std::string text(text_ == nullptr ? "" : text_, text_ == nullptr ? 0 : length_);
+    return text.substr(0, text.find('\n'));
+  }
+
   qhT* get() { return &qh_; }
 
  private:
@@ -216,6 +226,19 @@ void CopyFacets(qhT* qh, std::span<const Vector3d> points, ConvexHull& hull) {
   }
 }
 
+/// Distance of the point to the nearest facet's plane, negative outside. A merged facet is not exactly flat: its
+/// innermost vertex bounds the hull from inside.
+double DepthOf(const Vector3d& point, const ConvexHull& hull) {
+  double depth = std::numeric_limits<double>::infinity();
+  for (std::size_t facet = 0; facet < hull.normals.size(); ++facet) {
+    for (int i = hull.facet_start[facet]; i < hull.facet_start[facet + 1]; ++i) {
+      const Vector3d& vertex = hull.vertices[hull.facet_vertices[static_cast<std::size_t>(i)]];
+      depth = std::min(depth, hull.normals[facet].dot(vertex - point));
+    }
+  }
+  return depth;
+}
+
 /// Centroid of the volume from tetrahedra over an inner point, then the largest ball about it.
 void FindCenterAndInradius(ConvexHull& hull) {
   Vector3d inner = Vector3d::Zero();
@@ -236,20 +259,28 @@ void FindCenterAndInradius(ConvexHull& hull) {
     }
   }
   hull.center = volume > 0 ? Vector3d(inner + moment / volume) : inner;
-
-  // A merged facet is not exactly flat: its innermost vertex bounds the hull from inside.
-  double extent = 0;
-  double inradius = std::numeric_limits<double>::infinity();
-  for (std::size_t facet = 0; facet < hull.normals.size(); ++facet) {
-    for (int i = hull.facet_start[facet]; i < hull.facet_start[facet + 1]; ++i) {
-      const Vector3d offset = hull.vertices[hull.facet_vertices[static_cast<std::size_t>(i)]] - hull.center;
-      inradius = std::min(inradius, hull.normals[facet].dot(offset));
-      extent = std::max(extent, offset.norm());
-    }
+  double inradius = DepthOf(hull.center, hull);
+  // A needle's volume is less than the rounding of its parts, and its centroid anywhere.
+  if (!(inradius > 0)) {
+    hull.center = inner;
+    inradius = DepthOf(hull.center, hull);
   }
+  double extent = 0;
+  for (const Vector3d& vertex : hull.vertices) extent = std::max(extent, (vertex - hull.center).norm());
   // Rounding of Qhull's normals, of the order of its own distance tolerance.
   constexpr double kRounding = 32 * std::numeric_limits<double>::epsilon();
   hull.inradius = std::max(0.0, inradius - kRounding * extent);
+}
+
+/// Points thicker than this part of their extent are not flattened where Qhull finds no hull: that would hide an error.
+/// Coordinates rounded far from the origin may fail at some times kFlatness.
+constexpr double kMaxFlattened = 100 * kFlatness;
+
+[[noreturn]] void RefuseSolid(const AffineFrame& frame, const std::string& message) {
+  std::ostringstream text;
+  text << "Qhull finds no hull of points that reach " << frame.reaches[0] << ", " << frame.reaches[1] << " and "
+       << frame.reaches[2] << " m along three axes: " << message;
+  throw std::invalid_argument(text.str());
 }
 
 ConvexHull SolidHull(std::span<const Vector3d> points, const AffineFrame& frame) {
@@ -260,7 +291,10 @@ ConvexHull SolidHull(std::span<const Vector3d> points, const AffineFrame& frame)
     for (int axis = 0; axis < 3; ++axis) coordinates.push_back(point[axis] - frame.origin[axis]);
   }
   QhullRun run;
-  if (!run.Run(coordinates)) return PlanarHull(points, frame);
+  if (!run.Run(coordinates)) {
+    if (frame.reaches[2] > kMaxFlattened * frame.reaches[0]) RefuseSolid(frame, run.Message());
+    return PlanarHull(points, frame);
+  }
   ConvexHull hull;
   hull.dimension = 3;
   CopyFacets(run.get(), points, hull);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numbers>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -310,6 +311,89 @@ TEST(ConvexHull, Centroid_OfKnownSolids) {
   // A flat triangle, and one that hangs in space.
   const ConvexHull triangle = BuildConvexHull(Points{{0, 0, 1}, {3, 0, 1}, {0, 3, 1}});
   EXPECT_NEAR((triangle.center - Vector3d(1, 1, 1)).norm(), 0, 1e-15);
+}
+
+Points Grid(int count) {
+  Points points;
+  for (int i = 0; i < count * count * count; ++i) {
+    points.push_back(Vector3d(i % count, i / count % count, i / count / count) / (count - 1));
+  }
+  return points;
+}
+
+Points Prism(int sides, double height) {
+  Points points;
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2 * std::numbers::pi * i / sides;
+    for (const double z : {0.0, height}) points.emplace_back(std::cos(angle), std::sin(angle), z);
+  }
+  return points;
+}
+
+// Many points in few planes, turned, so that none is in its plane exactly; from micrometres to kilometres, and a
+// kilometre from the origin, where a millimetre has ten digits left.
+TEST(ConvexHull, CoplanarPoints_OfAnySizeAnywhere_FulfilAllInvariants) {
+  Random random(TestSeed());
+  const Points grid = Grid(5);
+  const Points prism = Prism(100, 2), coin = Prism(100, 1e-2), foil = Prism(100, 1e-4);
+  Points cone = Prism(100, 0);
+  cone.emplace_back(0, 0, 1);
+  Points plateau;
+  for (int i = 0; i < 1000; ++i) plateau.push_back(random.InCube().cwiseProduct(Vector3d(1, 1, 0)));
+  plateau.emplace_back(0.1, 0.2, -1);
+  for (const double size : {1e-6, 1e-3, 1.0, 1e3}) {
+    for (const double distance : {0.0, 1.0, 1e3}) {
+      SCOPED_TRACE(::testing::Message() << "size " << size << ", " << distance << " m away");
+      for (const Points& points : {grid, prism, coin, foil, cone, plateau}) {
+        CheckSolid(Moved(points, random.Rotation(), distance * random.UnitVector(), size));
+      }
+    }
+  }
+}
+
+// Copies that differ by rounding, and by more than it, but less than what matters.
+TEST(ConvexHull, NearDuplicates_FulfilAllInvariants) {
+  Random random(TestSeed());
+  for (const double distance : {1e-16, 1e-15, 1e-14, 1e-13, 1e-12, 1e-10, 1e-8}) {
+    SCOPED_TRACE(distance);
+    Points doubled = InBall(random, 50), grid = Grid(4);
+    for (int i = 0; i < 50; ++i) doubled.push_back(doubled[std::size_t(i)] + distance * random.UnitVector());
+    for (Vector3d& point : grid) point += distance * random.InCube();
+    CheckSolid(doubled);
+    CheckSolid(Moved(doubled, random.Rotation(), Vector3d(300, 200, 100), 1e-3));
+    CheckSolid(Moved(grid, random.Rotation(), random.InCube()));
+  }
+}
+
+// The volume of a needle is less than the rounding of the tetrahedra that add up to it.
+TEST(ConvexHull, Needles_KeepTheirCentreInside) {
+  Random random(TestSeed());
+  for (const double width : {1e-5, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11}) {
+    for (int i = 0; i < 30; ++i) {
+      Points needle = InBall(random, 30);
+      for (Vector3d& point : needle) point.head<2>() *= width;
+      needle = Moved(needle, random.Rotation(), Vector3d::Zero());
+      const ConvexHull hull = BuildConvexHull(needle);
+      for (const Vector3d& normal : hull.normals) {
+        double height = -std::numeric_limits<double>::infinity();
+        for (const Vector3d& point : needle) height = std::max(height, normal.dot(point - hull.center));
+        ASSERT_GE(height, -1e-15) << "width " << width << " case " << i;
+      }
+    }
+  }
+}
+
+// Qhull's products overflow. A flat hull would be a wrong answer.
+TEST(ConvexHull, SolidPointsWithoutHull_AreRejectedSayingWhy) {
+  try {
+    BuildConvexHull(Moved(Cube(), Eigen::AngleAxisd(1, Vector3d(1, 2, 3).normalized()).toRotationMatrix(),
+                          Vector3d::Zero(), 1e100));
+    ADD_FAILURE() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("Qhull finds no hull of points that reach 3.4"), std::string::npos)
+        << error.what();
+    EXPECT_NE(std::string(error.what()).find("precision error"), std::string::npos) << error.what();
+  }
 }
 
 TEST(ConvexHull, BadInput_IsRejectedNamingTheIndex) {

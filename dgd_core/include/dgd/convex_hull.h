@@ -29,8 +29,8 @@ struct ConvexHull {
 inline constexpr double kFlatness = 1e-12;
 
 /// @param points  Metres, in any order, duplicates and interior points allowed; at least one, all finite.
-/// Throws std::invalid_argument if there are none or one is not finite, naming its index. Flat input is not an error:
-/// the dimension says it.
+/// Throws std::invalid_argument if there are none or one is not finite, naming its index; or if Qhull finds no hull of
+/// points that are clearly not flat, saying why. Flat input is not an error: the dimension says it.
 ConvexHull BuildConvexHull(std::span<const Eigen::Vector3d> points);
 
 }  // namespace dgd
