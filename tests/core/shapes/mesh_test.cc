@@ -93,6 +93,42 @@ TEST(Mesh, Support_IsHighestOnManyVerticesAndNearDuplicates) {
   CheckHeights<float>(doubled, random);
 }
 
+// Short edges, whose ends differ in height by less than rounding, must not end the walk; nor must the rounding of
+// coordinates far from the origin.
+TEST(Mesh, Support_IsHighestOverShortEdges) {
+  Random random(TestSeed());
+  for (const double distance : {1e-13, 1e-11, 1e-9, 1e-7}) {
+    SCOPED_TRACE(distance);
+    Points points;
+    for (int i = 0; i < 100; ++i) {
+      points.push_back(random.UnitVector());
+      points.push_back(points.back() + distance * random.UnitVector());
+      points.push_back(points.back() + distance * random.UnitVector());
+    }
+    CheckHeights<double>(points, random);
+    CheckHeights<float>(points, random);
+    for (Vector3d& point : points) point = 1e-3 * point + Vector3d(300, 200, 100);
+    CheckHeights<double>(points, random);
+  }
+}
+
+// Nearly flat, below what makes a hull solid: the vertices stick out of the plane, and the highest is not always where
+// a walk along the border ends.
+TEST(Mesh, Support_IsHighestOnNearlyFlatHulls) {
+  Random random(TestSeed());
+  for (int i = 0; i < 50; ++i) {
+    Points points;
+    for (int j = 0; j < 200; ++j) {
+      const double angle = 2 * std::numbers::pi * j / 200;
+      points.emplace_back(std::cos(angle), std::sin(angle), random.Uniform(-3e-13, 3e-13));
+    }
+    const dgd::Mesh<double> mesh(points);
+    ASSERT_EQ(mesh.Hull().dimension, 2);
+    const Vector3d up(0, 0, 1);
+    EXPECT_EQ(mesh.Support(up).point.z(), mesh.SupportValue(up));
+  }
+}
+
 TEST(Mesh, SupportFace_KeepsTheSupportPointOfALargeFacet) {
   Points prism;
   constexpr int kSides = 40;

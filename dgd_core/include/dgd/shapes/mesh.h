@@ -25,7 +25,11 @@ class Mesh {
   explicit Mesh(std::span<const Eigen::Vector3d> points) : Mesh(BuildConvexHull(points)) {}
   explicit Mesh(ConvexHull hull)
       : hull_(std::move(hull)), center_(hull_.center.template cast<S>()), inradius_(InradiusOfRounded<S>(hull_)) {
-    for (const Eigen::Vector3d& vertex : hull_.vertices) vertices_.push_back(vertex.template cast<S>());
+    for (const Eigen::Vector3d& vertex : hull_.vertices) {
+      vertices_.push_back(vertex.template cast<S>());
+      offsets_.push_back((vertex - hull_.center).template cast<S>());
+      plateau_ = std::max(plateau_, kHeightRounding * offsets_.back().template lpNorm<1>());
+    }
     LinkNeighbours();
     ChooseStarts();
   }
@@ -59,11 +63,16 @@ class Mesh {
   }
 
  private:
-  /// With its coordinates, so that a step of the walk reads one stretch of memory.
+  /// With its coordinates about the centre, so that a step of the walk reads one stretch of memory.
   struct Neighbour {
-    Vector3<S> point;
+    Vector3<S> offset;
     VertexId vertex;
   };
+
+  /// Heights differ for certain by more than this part of the largest offset.
+  static constexpr S kHeightRounding = 4 * std::numeric_limits<S>::epsilon();
+  /// Vertices of a plateau that are looked at, at most.
+  static constexpr int kMaxPlateau = 32;
 
   /// Directions of {-1, 0, 1}^3; the middle one stands for none.
   static constexpr std::size_t kStarts = 27;
@@ -75,21 +84,50 @@ class Mesh {
     return static_cast<std::size_t>(9 * sign(0) + 3 * sign(1) + sign(2));
   }
 
+  /// Heights are those above the centre: far from the origin, the others' rounding would hide short edges.
   SupportPoint<S> Climb(const Vector3<S>& direction, VertexId vertex) const {
-    S height = direction.dot(vertices_[vertex]);
+    if (hull_.dimension < 3) return Scan(direction);
+    const S rounding = plateau_ * direction.template lpNorm<Eigen::Infinity>();
+    S height = direction.dot(offsets_[vertex]);
     // Heights rise strictly, so this ends; for NaN at once.
-    for (bool rises = true; rises;) {
-      rises = false;
-      const Neighbour* end = neighbours_.data() + start_[vertex + 1];
-      for (const Neighbour* neighbour = neighbours_.data() + start_[vertex]; neighbour != end; ++neighbour) {
-        const S candidate = direction.dot(neighbour->point);
-        if (!(candidate > height)) continue;
-        height = candidate;
-        vertex = neighbour->vertex;
-        rises = true;
-      }
+    while (Rise(direction, rounding, vertex, height)) {
     }
     return {vertices_[vertex], vertex};
+  }
+
+  /// Goes on to a higher vertex, if one is next to this one, or to a vertex that is as high but for rounding: at short
+  /// edges, the way up may lead over their other ends.
+  bool Rise(const Vector3<S>& direction, S rounding, VertexId& vertex, S& height) const {
+    std::array<VertexId, kMaxPlateau> plateau;
+    plateau[0] = vertex;
+    int size = 1;
+    bool rises = false;
+    for (int i = 0; i < size && !rises; ++i) {
+      const VertexId from = plateau[static_cast<std::size_t>(i)];
+      const Neighbour* end = neighbours_.data() + start_[from + 1];
+      for (const Neighbour* neighbour = neighbours_.data() + start_[from]; neighbour != end; ++neighbour) {
+        const S candidate = direction.dot(neighbour->offset);
+        if (candidate > height) {
+          height = candidate;
+          vertex = neighbour->vertex;
+          rises = true;
+        } else if (!rises && candidate >= height - rounding && size < kMaxPlateau &&
+                   std::find(plateau.begin(), plateau.begin() + size, neighbour->vertex) == plateau.begin() + size) {
+          plateau[static_cast<std::size_t>(size++)] = neighbour->vertex;
+        }
+      }
+    }
+    return rises;
+  }
+
+  /// The vertices of a flat hull are not in one plane but for rounding, and a walk along its edges may miss the one
+  /// that sticks out.
+  SupportPoint<S> Scan(const Vector3<S>& direction) const {
+    VertexId farthest = 0;
+    for (VertexId vertex = 1; vertex < VertexCount(); ++vertex) {
+      if (direction.dot(offsets_[vertex]) > direction.dot(offsets_[farthest])) farthest = vertex;
+    }
+    return {vertices_[farthest], farthest};
   }
 
   /// Joins each vertex to those 1, 2, 4, ... places further around each of its facets. The first are the edges, along
@@ -102,7 +140,6 @@ class Mesh {
       links[a].push_back(b);
       links[b].push_back(a);
     };
-    link(0, VertexCount() - 1);  // All there is to a segment; in others it does no harm.
     for (std::size_t facet = 0; facet < hull_.normals.size(); ++facet) {
       const auto begin = static_cast<std::size_t>(hull_.facet_start[facet]);
       const std::size_t count = static_cast<std::size_t>(hull_.facet_start[facet + 1]) - begin;
@@ -116,7 +153,7 @@ class Mesh {
     for (std::vector<VertexId>& ends : links) {
       std::sort(ends.begin(), ends.end());
       ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-      for (const VertexId end : ends) neighbours_.push_back({vertices_[end], end});
+      for (const VertexId end : ends) neighbours_.push_back({offsets_[end], end});
       start_.push_back(neighbours_.size());
     }
   }
@@ -127,7 +164,7 @@ class Mesh {
       const Vector3<S> direction(S(i / 9) - 1, S(i / 3 % 3) - 1, S(i % 3) - 1);
       S highest = -std::numeric_limits<S>::infinity();
       for (VertexId vertex = 0; vertex < VertexCount(); ++vertex) {
-        const S height = direction.dot(vertices_[vertex]);
+        const S height = direction.dot(offsets_[vertex]);
         if (!(height > highest)) continue;
         highest = height;
         starts_[i] = vertex;
@@ -137,7 +174,9 @@ class Mesh {
 
   ConvexHull hull_;
   std::vector<Vector3<S>> vertices_;
-  std::vector<std::size_t> start_;  // Vertex -> its neighbours, as in ConvexHull.
+  std::vector<Vector3<S>> offsets_;  // The vertices from the centre.
+  S plateau_ = 0;                    // Rounding of the heights, for a direction of unit size; metres.
+  std::vector<std::size_t> start_;   // Vertex -> its neighbours, as in ConvexHull.
   std::vector<Neighbour> neighbours_;
   std::array<VertexId, kStarts> starts_{};
   Vector3<S> center_;
