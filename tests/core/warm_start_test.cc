@@ -26,7 +26,10 @@ void FollowMovingPairs(int pairs) {
       const SolverPair<S> pair(reference);
       const dgd::Result<S> warm = pair.GrowthDistance({}, &warm_start);
       ASSERT_TRUE(IsCertified<S>(reference, pair, warm)) << "frame " << frame << " step " << step;
-      ASSERT_TRUE(Agree(warm, pair.GrowthDistance(), 64 * dgd::kEpsilon<S>)) << reference.Dump();
+      // Nearly coincident centres magnify the rounding of coordinates, also of those that only one of the two met.
+      const double gap = Bounds<S>::Gap(pair, reference.Extent());
+      const S slack = 64 * dgd::kEpsilon<S> + static_cast<S>(gap - 1.0001 * double(dgd::kSqrtEpsilon<S>));
+      ASSERT_TRUE(Agree(warm, pair.GrowthDistance(), slack)) << reference.Dump();
       reference = Moved(random, reference, step);
     }
   }

@@ -68,6 +68,14 @@ concept SmoothCore = ConvexCore<Core> && requires(const Core& core, FeatureId pi
   { core.PieceCount() } -> std::convertible_to<FeatureId>;
 };
 
+/// A smooth core some of whose pieces bound a flat disc, as the rim of a cylinder bounds its cap. Along the disc's
+/// normal the piece's support function has a kink like a cone's tip, where no derivative helps.
+///  * FaceNormal(piece): the disc's outward unit normal, or zero if the piece bounds none.
+template <class Core>
+concept FacedCore = SmoothCore<Core> && requires(const Core& core, FeatureId piece) {
+  { core.FaceNormal(piece) } -> std::convertible_to<VectorOf<Core>>;
+};
+
 /// A core that finds its support point faster from a feature that was one for a similar direction; any number will do
 /// as a hint. The solver keeps the hint, so that the core stays immutable.
 template <class Core>
@@ -123,6 +131,7 @@ class CoreReference {
     return core_->PieceSupport(piece, direction);
   }
   FeatureId PieceCount() const requires SmoothCore<CoreType> { return core_->PieceCount(); }
+  auto FaceNormal(FeatureId piece) const requires FacedCore<CoreType> { return core_->FaceNormal(piece); }
   Scalar SupportValue(const VectorOf<CoreType>& direction) const { return core_->SupportValue(direction); }
   Scalar Distance(const VectorOf<CoreType>& point) const { return core_->Distance(point); }
   template <class Face>

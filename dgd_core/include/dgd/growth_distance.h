@@ -38,7 +38,22 @@ struct Settings {
   /// Stop with kSeparated once the sets are certain to be farther apart than this; metres, >= 0, infinite for never.
   /// With a warm start the last normal is tried before anything else: a pair that stays apart costs one evaluation.
   S separation_limit = std::numeric_limits<S>::infinity();
+
+  /// For comparison only; there is no other reason to turn these off.
+  bool second_order = true;  ///< Second-order steps on curved cores (ray/second_order_step.h).
+  bool rounding = true;      ///< Radii kept apart from the cores (ray/inner_approximation.h).
 };
+
+/// What an observer of a query is told after each iteration: the bounds of Result so far, for convergence plots.
+template <class S, int L>
+struct Iterate {
+  int iteration;
+  S lower_bound, upper_bound;
+  Vector<S, L> normal;
+};
+
+/// Costs nothing.
+struct NoObserver {};
 
 template <class S, int L = 3>
 struct Result {
@@ -89,11 +104,12 @@ using WarmStartOf = WarmStart<typename Set::Scalar, kDimension<typename Set::Cor
 /// Growth distance of two sets in their poses; both of the same dimension and scalar.
 /// @param pose_1, pose_2  Of the sets in the world.
 /// @param warm_start      In and out; nullptr for a cold start that remembers nothing.
+/// @param observer        Called with an Iterate after each iteration.
 /// Allocates nothing and does not throw. Alg. 3 of the paper.
-template <class Set1, class Set2>
+template <class Set1, class Set2, class Observer = const NoObserver>
 ResultOf<Set1> GrowthDistance(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
                               const PoseOf<Set1>& pose_2, const Settings<typename Set1::Scalar>& settings = {},
-                              WarmStartOf<Set1>* warm_start = nullptr);
+                              WarmStartOf<Set1>* warm_start = nullptr, Observer&& observer = NoObserver());
 
 template <class S, int L = 3>
 struct CollisionResult {

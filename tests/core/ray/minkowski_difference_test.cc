@@ -68,13 +68,13 @@ TEST(MinkowskiDifference, Support_IsTheDifferenceOfTheSetsSupportPoints) {
       const Eigen::Vector3d world_2 = difference.World2(on_2, normal);
       EXPECT_NEAR(normal_w.dot(world_1), Height(reference.set_1, reference.pose_1, normal_w), 1e-13 * kLargest * 4);
       EXPECT_NEAR(-normal_w.dot(world_2), Height(reference.set_2, reference.pose_2, -normal_w), 1e-13 * kLargest * 4);
-      ASSERT_TRUE(difference.HasVertices(support.feature_1, support.feature_2));
+      ASSERT_TRUE(difference.HasFeatures(support.feature_1, support.feature_2));
       const dgd::DifferencePoint<double> again = difference.FromVertices(support.feature_1, support.feature_2);
       EXPECT_EQ(again.point, support.point);
       EXPECT_EQ(again.on_1, support.on_1);
     }
-    EXPECT_FALSE(difference.HasVertices(dgd::kNoFeature, 0));
-    EXPECT_FALSE(difference.HasVertices(0, 8));
+    EXPECT_FALSE(difference.HasFeatures(dgd::kNoFeature, 0));
+    EXPECT_FALSE(difference.HasFeatures(0, 8));
   }
 }
 

@@ -1,11 +1,12 @@
 // The Minkowski difference of two posed sets about their centres, seen in the ray's frame.
 //
 // C = (C1 - p1) - (C2 - p2), Prop. 1 of the paper with the centres at the origin, so that 0 lies inside C and the ray
-// runs from 0 along p = p2 - p1. The frame's z axis is the ray: a plane's height on the ray is a coordinate, and "the
-// basis holds the ray" is a question in the plane (Sec. III-D, Numerical Robustness).
+// runs from 0 along p = p2 - p1. The frame's last axis is the ray: a plane's height on the ray is a coordinate, and
+// "the basis holds the ray" is a question across it (Sec. III-D, Numerical Robustness).
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include "dgd/convex_set.h"
 #include "dgd/ray/tolerances.h"
@@ -15,13 +16,25 @@ namespace dgd {
 
 /// A point of C and the point of set 1 that it comes from; set 2's point is their difference. Ray frame, about the
 /// centres, metres.
-template <class S>
+template <class S, int L = 3>
 struct DifferencePoint {
-  Vector3<S> point = Vector3<S>::Zero();
-  Vector3<S> on_1 = Vector3<S>::Zero();
-  VertexId feature_1 = kNoFeature;
-  VertexId feature_2 = kNoFeature;
+  Vector<S, L> point = Vector<S, L>::Zero();
+  Vector<S, L> on_1 = Vector<S, L>::Zero();
+  FeatureId feature_1 = kNoFeature;
+  FeatureId feature_2 = kNoFeature;
 };
+
+/// A support point of one pair of features, and how it moves across the ray with the direction.
+template <class S, int L>
+struct CurvedDifferencePoint {
+  DifferencePoint<S, L> support;
+  /// d(point) / d(direction), both across the ray; metres, positive semidefinite.
+  SquareMatrix<S, L - 1> derivative;
+};
+
+/// Cores whose features can be found again, so that a point of theirs can follow the direction.
+template <class Core>
+concept FeatureCore = VertexCore<Core> || SmoothCore<Core>;
 
 /// Columns: two unit vectors orthogonal to the unit vector `axis`, then `axis`; right-handed. By the sign of one
 /// coordinate, without a branch that could make nearly equal axes take different paths far apart (Duff et al. 2017,
@@ -38,26 +51,49 @@ Matrix3<S> FrameAlong(const Vector3<S>& axis) {
   return frame;
 }
 
+template <class S>
+SquareMatrix<S, 2> FrameAlong(const Vector2<S>& axis) {
+  SquareMatrix<S, 2> frame;
+  frame << axis.y(), axis.x(), -axis.x(), axis.y();
+  return frame;
+}
+
 template <class Set1, class Set2>
 class MinkowskiDifference {
  public:
   using S = typename Set1::Scalar;
+  static constexpr int L = kDimension<typename Set1::Core>;
+  using Point = Vector<S, L>;
+  using Matrix = SquareMatrix<S, L>;
+  static_assert(std::is_same_v<S, typename Set2::Scalar>, "both sets must have the same scalar");
+  static_assert(L == kDimension<typename Set2::Core>, "both sets must have the same dimension");
 
-  MinkowskiDifference(const Set1& set_1, const Pose<S>& pose_1, const Set2& set_2, const Pose<S>& pose_2)
+  /// Points can be found again by the features that gave them.
+  static constexpr bool kHasFeatures = FeatureCore<typename Set1::Core> && FeatureCore<typename Set2::Core>;
+  /// ... and move with the direction.
+  static constexpr bool kIsSmooth =
+      kHasFeatures && (SmoothCore<typename Set1::Core> || SmoothCore<typename Set2::Core>);
+
+  static constexpr bool kHasFaces =
+      kIsSmooth && L == 3 && (FacedCore<typename Set1::Core> || FacedCore<typename Set2::Core>);
+
+  /// @param keep_radius_apart  Else the radii go into the support points; see Settings::rounding.
+  MinkowskiDifference(const Set1& set_1, const Pose<S, L>& pose_1, const Set2& set_2, const Pose<S, L>& pose_2,
+                      bool keep_radius_apart = true)
       : set_1_(set_1), set_2_(set_2), core_center_1_(set_1.core.Center()), core_center_2_(set_2.core.Center()) {
     center_1_ = pose_1 * core_center_1_;
     center_2_ = pose_2 * core_center_2_;
-    const Vector3<S> p = center_2_ - center_1_;
+    const Point p = center_2_ - center_1_;
     length_ = p.norm();
     const S radius = set_1.radius + set_2.radius;
     const S core_inradius = set_1.core.Inradius() + set_2.core.Inradius();
     inradius_ = radius + core_inradius;
     // With coincident centres the ray has no direction; any frame serves, see RayIntersection. So tiny a length may
     // also have lost its digits to underflow.
-    frame_ = length_ > kCoincidence<S> * inradius_ ? FrameAlong<S>(p / length_) : Matrix3<S>::Identity();
+    frame_ = length_ > kCoincidence<S> * inradius_ ? FrameAlong<S>(Point(p / length_)) : Matrix::Identity();
     to_frame_1_.noalias() = frame_.transpose() * pose_1.rotation;
     to_frame_2_.noalias() = frame_.transpose() * pose_2.rotation;
-    rounding_ = radius > kMinRounding<S> * core_inradius ? radius : 0;
+    rounding_ = keep_radius_apart && radius > kMinRounding<S> * core_inradius ? radius : 0;
     inflation_1_ = rounding_ > 0 ? 0 : set_1.radius;
     inflation_2_ = rounding_ > 0 ? 0 : set_2.radius;
   }
@@ -72,38 +108,64 @@ class MinkowskiDifference {
   S Rounding() const { return rounding_; }
 
   /// The point of the cores' difference farthest along the unit vector `normal` (ray frame): eq. (5) of the paper.
-  DifferencePoint<S> Support(const Vector3<S>& normal) const {
-    const SupportPoint<S> support_1 = set_1_.core.Support(to_frame_1_.transpose() * normal);
-    const SupportPoint<S> support_2 = set_2_.core.Support(to_frame_2_.transpose() * -normal);
-    return Difference(support_1, support_2, normal);
+  /// @param hint  Features of a point that is likely to be near, for cores that make use of one; any will do.
+  DifferencePoint<S, L> Support(const Point& normal, const DifferencePoint<S, L>& hint = {}) const {
+    return Difference(CoreSupport<typename Set1::Core>(set_1_.core, to_frame_1_.transpose() * normal, hint.feature_1),
+                      CoreSupport<typename Set2::Core>(set_2_.core, to_frame_2_.transpose() * -normal, hint.feature_2),
+                      normal);
   }
 
-  /// Whether both cores have these vertices; they may have changed since a previous query named them.
-  bool HasVertices(VertexId feature_1, VertexId feature_2) const requires VertexCore<typename Set1::Core> &&
-      VertexCore<typename Set2::Core> {
-    return feature_1 < set_1_.core.VertexCount() && feature_2 < set_2_.core.VertexCount();
+  /// Whether both cores have these features; they may have changed since a previous query named them.
+  bool HasFeatures(FeatureId feature_1, FeatureId feature_2) const requires kHasFeatures {
+    return feature_1 < FeatureCount(set_1_.core) && feature_2 < FeatureCount(set_2_.core);
   }
 
   /// The difference of two vertices that a previous query named.
-  DifferencePoint<S> FromVertices(VertexId feature_1, VertexId feature_2) const requires
-      VertexCore<typename Set1::Core> && VertexCore<typename Set2::Core> {
-    return Difference({set_1_.core.Vertex(feature_1), feature_1}, {set_2_.core.Vertex(feature_2), feature_2},
-                      Vector3<S>::Zero());
+  DifferencePoint<S, L> FromVertices(VertexId vertex_1, VertexId vertex_2) const requires(kHasFeatures && !kIsSmooth) {
+    return Difference({set_1_.core.Vertex(vertex_1), vertex_1}, {set_2_.core.Vertex(vertex_2), vertex_2},
+                      Point::Zero());
   }
 
-  Vector3<S> DirectionToFrame(const Vector3<S>& direction_1) const { return to_frame_1_ * direction_1; }
-  Vector3<S> DirectionToSet1(const Vector3<S>& direction) const { return to_frame_1_.transpose() * direction; }
-  Vector3<S> DirectionToWorld(const Vector3<S>& direction) const { return frame_ * direction; }
+  /// The point of two features that is farthest along the unit vector `normal`, and its derivative; both of C, radii
+  /// included. Not inlined: it is long, and there are many pairs of types.
+  [[gnu::noinline]] CurvedDifferencePoint<S, L> FromFeatures(FeatureId feature_1, FeatureId feature_2,
+                                                             const Point& normal) const requires kIsSmooth {
+    const CurvedPoint<S, L> curved_1 = OfFeature(set_1_.core, feature_1, to_frame_1_.transpose() * normal);
+    const CurvedPoint<S, L> curved_2 = OfFeature(set_2_.core, feature_2, to_frame_2_.transpose() * -normal);
+    CurvedDifferencePoint<S, L> curved;
+    curved.support = Difference({curved_1.point, feature_1}, {curved_2.point, feature_2}, normal);
+    const auto across_1 = to_frame_1_.template topRows<L - 1>();
+    const auto across_2 = to_frame_2_.template topRows<L - 1>();
+    const Vector<S, L - 1> n = normal.template head<L - 1>();
+    curved.derivative = across_1 * curved_1.derivative * across_1.transpose() +
+                        across_2 * curved_2.derivative * across_2.transpose() +
+                        (set_1_.radius + set_2_.radius) * (SquareMatrix<S, L - 1>::Identity() - n * n.transpose());
+    return curved;
+  }
+
+  /// Outward normal of the flat face that a feature of set 1 (of set 2) bounds, ray frame; zero if there is none.
+  Point FaceNormal1(FeatureId feature) const {
+    if constexpr (FacedCore<typename Set1::Core>) return to_frame_1_ * set_1_.core.FaceNormal(feature);
+    return Point::Zero();
+  }
+  Point FaceNormal2(FeatureId feature) const {
+    if constexpr (FacedCore<typename Set2::Core>) return to_frame_2_ * -set_2_.core.FaceNormal(feature);
+    return Point::Zero();
+  }
+
+  Point DirectionToFrame(const Point& direction_1) const { return to_frame_1_ * direction_1; }
+  Point DirectionToSet1(const Point& direction) const { return to_frame_1_.transpose() * direction; }
+  Point DirectionToWorld(const Point& direction) const { return frame_ * direction; }
 
   /// World points of set 1 and set 2, from the cores' points in the ray frame about the centres.
-  Vector3<S> World1(const Vector3<S>& core_point, const Vector3<S>& normal) const {
+  Point World1(const Point& core_point, const Point& normal) const {
     return center_1_ + frame_ * (core_point + (rounding_ > 0 ? set_1_.radius : S(0)) * normal);
   }
-  Vector3<S> World2(const Vector3<S>& core_point, const Vector3<S>& normal) const {
+  Point World2(const Point& core_point, const Point& normal) const {
     return center_2_ + frame_ * (core_point - (rounding_ > 0 ? set_2_.radius : S(0)) * normal);
   }
-  const Vector3<S>& Center1() const { return center_1_; }
-  const Vector3<S>& Center2() const { return center_2_; }
+  const Point& Center1() const { return center_1_; }
+  const Point& Center2() const { return center_2_; }
 
   /// False for NaN or infinity anywhere in the poses or radii.
   bool IsFinite() const {
@@ -112,9 +174,36 @@ class MinkowskiDifference {
   }
 
  private:
-  DifferencePoint<S> Difference(const SupportPoint<S>& support_1, const SupportPoint<S>& support_2,
-                                const Vector3<S>& normal) const {
-    DifferencePoint<S> difference;
+  template <class Core>
+  static SupportPoint<S, L> CoreSupport(const Core& core, const Point& direction, [[maybe_unused]] FeatureId hint) {
+    if constexpr (HintedCore<Core>) {
+      return core.Support(direction, hint);
+    } else {
+      return core.Support(direction);
+    }
+  }
+
+  template <FeatureCore Core>
+  static FeatureId FeatureCount(const Core& core) {
+    if constexpr (SmoothCore<Core>) {
+      return core.PieceCount();
+    } else {
+      return core.VertexCount();
+    }
+  }
+
+  template <FeatureCore Core>
+  static CurvedPoint<S, L> OfFeature(const Core& core, FeatureId feature, [[maybe_unused]] const Point& direction) {
+    if constexpr (SmoothCore<Core>) {
+      return core.PieceSupport(feature, direction);
+    } else {
+      return {core.Vertex(feature), Matrix::Zero()};
+    }
+  }
+
+  DifferencePoint<S, L> Difference(const SupportPoint<S, L>& support_1, const SupportPoint<S, L>& support_2,
+                                   const Point& normal) const {
+    DifferencePoint<S, L> difference;
     difference.on_1.noalias() = to_frame_1_ * (support_1.point - core_center_1_);
     difference.point.noalias() = to_frame_2_ * (core_center_2_ - support_2.point);
     difference.point += difference.on_1;
@@ -130,10 +219,10 @@ class MinkowskiDifference {
 
   const Set1& set_1_;
   const Set2& set_2_;
-  Vector3<S> core_center_1_, core_center_2_;  // In the cores' frames.
-  Vector3<S> center_1_, center_2_;            // In the world.
-  Matrix3<S> frame_;                          // Ray frame to world.
-  Matrix3<S> to_frame_1_, to_frame_2_;        // Cores' frames to the ray frame.
+  Point core_center_1_, core_center_2_;  // In the cores' frames.
+  Point center_1_, center_2_;            // In the world.
+  Matrix frame_;                         // Ray frame to world.
+  Matrix to_frame_1_, to_frame_2_;       // Cores' frames to the ray frame.
   S length_, inradius_, rounding_, inflation_1_, inflation_2_;
 };
 

@@ -8,14 +8,16 @@
 
 namespace dgd {
 
-template <class S>
+template <class S, int L = 3>
 class OuterApproximation {
  public:
+  using Point = Vector<S, L>;
+
   /// Takes the supporting plane <normal, z> <= support_value, which touches C above `support`, if it bounds the ray
   /// better than all before. Eq. (outer-approximation-update): the bound is v / <lambda, p>, here the plane's height.
-  /// @param normal  Ray frame, unit length, normal.z() > 0.
-  void Cut(const Vector3<S>& normal, S support_value, const DifferencePoint<S>& support) {
-    const S height = support_value / normal.z();
+  /// @param normal  Ray frame, unit length, normal[L - 1] > 0.
+  void Cut(const Point& normal, S support_value, const DifferencePoint<S, L>& support) {
+    const S height = support_value / normal[L - 1];
     // False for NaN, which then leaves the bounds as they are.
     if (height < height_) {
       height_ = height;
@@ -26,7 +28,7 @@ class OuterApproximation {
   }
 
   /// Takes the plane whatever it says of the ray: of use where there is no ray, see RayIntersection.
-  void Adopt(const Vector3<S>& normal, S support_value, const DifferencePoint<S>& support) {
+  void Adopt(const Point& normal, S support_value, const DifferencePoint<S, L>& support) {
     height_ = support_value;
     normal_ = normal;
     support_value_ = support_value;
@@ -36,17 +38,17 @@ class OuterApproximation {
   /// Upper bound on the height at which the ray leaves C, metres; infinite before the first cut.
   S Height() const { return height_; }
   /// Unit normal of the best plane, ray frame.
-  const Vector3<S>& Normal() const { return normal_; }
+  const Point& Normal() const { return normal_; }
   /// Support value of C along that normal, metres.
   S SupportValue() const { return support_value_; }
   /// Support point of set 1's core along that normal, ray frame about its centre, metres.
-  const Vector3<S>& SupportPoint1() const { return on_1_; }
+  const Point& SupportPoint1() const { return on_1_; }
 
  private:
   S height_ = std::numeric_limits<S>::infinity();
-  Vector3<S> normal_ = Vector3<S>::UnitZ();
+  Point normal_ = Point::Unit(L - 1);
   S support_value_ = std::numeric_limits<S>::infinity();
-  Vector3<S> on_1_ = Vector3<S>::Zero();
+  Point on_1_ = Point::Zero();
 };
 
 }  // namespace dgd

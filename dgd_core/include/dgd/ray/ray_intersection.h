@@ -7,6 +7,7 @@
 #include "dgd/ray/inner_approximation.h"
 #include "dgd/ray/minkowski_difference.h"
 #include "dgd/ray/outer_approximation.h"
+#include "dgd/ray/second_order_search.h"
 
 namespace dgd {
 
@@ -23,18 +24,22 @@ enum class Question { kDistance, kCollision };
 template <class Set1, class Set2>
 class RayIntersection {
  public:
-  using S = typename Set1::Scalar;
-  static_assert(std::is_same_v<S, typename Set2::Scalar>, "both sets must have the same scalar");
+  using Difference = MinkowskiDifference<Set1, Set2>;
+  using S = typename Difference::S;
+  static constexpr int L = Difference::L;
+  using Point = Vector<S, L>;
 
-  RayIntersection(const Set1& set_1, const Pose<S>& pose_1, const Set2& set_2, const Pose<S>& pose_2,
+  RayIntersection(const Set1& set_1, const Pose<S, L>& pose_1, const Set2& set_2, const Pose<S, L>& pose_2,
                   const Settings<S>& settings)
-      : difference_(set_1, pose_1, set_2, pose_2), settings_(settings) {}
+      : difference_(set_1, pose_1, set_2, pose_2, settings.rounding), settings_(settings) {}
 
-  Status Solve(Question question, WarmStart<S>* warm_start) {
+  /// @param observer  Called with an Iterate after each iteration.
+  template <class Observer>
+  Status Solve(Question question, WarmStart<S, L>* warm_start, Observer& observer) {
     if (!difference_.IsFinite()) return Status::kInvalidInput;
     if (!(difference_.Inradius() > 0)) return Status::kNoInterior;
     const bool coincident = difference_.Length() <= kCoincidence<S> * difference_.Inradius();
-    const Status status = coincident ? MeasureAlongAnyNormal(warm_start) : Iterate(question, warm_start);
+    const Status status = coincident ? MeasureAlongAnyNormal(warm_start) : Improve(question, warm_start, observer);
     if (warm_start != nullptr) Remember(status, *warm_start);
     return status;
   }
@@ -42,130 +47,205 @@ class RayIntersection {
   int Iterations() const { return iterations_; }
   /// At most the upper one, also where rounding puts the two heights in the wrong order.
   S LowerBound() const {
-    return coincident_ ? S(0) : difference_.Length() / std::max(outer_.Height(), inner_.Height());
+    return coincident_ ? S(0) : difference_.Length() / std::max(outer_.Height(), Inner().Height());
   }
-  S UpperBound() const { return coincident_ ? S(0) : difference_.Length() / inner_.Height(); }
-  Vector3<S> Normal() const { return difference_.DirectionToWorld(outer_.Normal()); }
+  S UpperBound() const { return coincident_ ? S(0) : difference_.Length() / Inner().Height(); }
+  Point Normal() const { return difference_.DirectionToWorld(outer_.Normal()); }
   /// Distance of the supporting planes along the normal, metres.
-  S Separation() const { return outer_.Normal().z() * difference_.Length() - outer_.SupportValue(); }
+  S Separation() const { return outer_.Normal()[L - 1] * difference_.Length() - outer_.SupportValue(); }
 
-  Vector3<S> Witness1() const {
-    return coincident_ ? difference_.Center1() : difference_.World1(inner_.CorePoint1(), inner_.Normal());
+  Point Witness1() const {
+    return coincident_ ? difference_.Center1() : difference_.World1(Inner().CorePoint1(), Inner().Normal());
   }
-  Vector3<S> Witness2() const {
-    return coincident_ ? difference_.Center2() : difference_.World2(inner_.CorePoint2(), inner_.Normal());
+  Point Witness2() const {
+    return coincident_ ? difference_.Center2() : difference_.World2(Inner().CorePoint2(), Inner().Normal());
   }
   /// Where the witness points meet when the sets are scaled by the upper bound about their centres: a point of both
   /// sets if that is at most 1.
-  Vector3<S> MeetingPoint() const {
-    return difference_.Center1() + UpperBound() * (Witness1() - difference_.Center1());
-  }
+  Point MeetingPoint() const { return difference_.Center1() + UpperBound() * (Witness1() - difference_.Center1()); }
   /// A point half way between the supporting planes along the normal.
-  Vector3<S> PointBetween() const {
+  Point PointBetween() const {
     return difference_.World1(outer_.SupportPoint1(), outer_.Normal()) + Separation() / 2 * Normal();
   }
 
  private:
+  using Feature = DifferencePoint<S, L>;
+
   /// With p = 0 the growth distance is 0 and every direction is a normal: take the last one, or x.
-  Status MeasureAlongAnyNormal(const WarmStart<S>* warm_start) {
+  Status MeasureAlongAnyNormal(const WarmStart<S, L>* warm_start) {
     coincident_ = true;
-    Vector3<S> normal = Vector3<S>::UnitX();
+    Point normal = Point::UnitX();
     if (warm_start != nullptr && HasNormal(*warm_start)) {
       normal = difference_.DirectionToFrame(warm_start->normal_1);
     }
     iterations_ = 1;
-    const DifferencePoint<S> support = difference_.Support(normal);
+    const Feature support = difference_.Support(normal);
     outer_.Adopt(normal, normal.dot(support.point) + difference_.Rounding(), support);
     return Status::kCoincidentCenters;
   }
 
-  [[gnu::flatten]] Status Iterate(Question question, const WarmStart<S>* warm_start) {
+  template <class Observer>
+  [[gnu::flatten]] Status Improve(Question question, const WarmStart<S, L>* warm_start, Observer& observer) {
     InitializeInner();
-    Vector3<S> normal = warm_start != nullptr ? AdoptLastState(*warm_start) : inner_.Normal();
+    Point normal = warm_start != nullptr ? AdoptLastState(*warm_start) : inner_.Normal();
     for (;;) {
-      if (!(normal.z() > 0)) return Status::kStalled;  // Also for NaN.
-      const DifferencePoint<S> added = CutAlong(normal);
-      if (const Status status = Verdict(question); status != kGoOn) return status;
+      if (!(normal[L - 1] > 0)) return Status::kStalled;  // Also for NaN.
+      const S last_outer = outer_.Height(), last_inner = inner_.Height();
+      CutAlong(normal);
+      if (const Status status = Verdict(question); status != kGoOn) return Report(observer, status);
+      const bool inserted = inner_.Insert(support_, outer_.Height());
+      // Polytopes end with a supporting plane on the inner approximation; curved cores once a point is near enough.
+      if constexpr (Difference::kIsSmooth) {
+        if (const Status status = Verdict(question); status != kGoOn) return Report(observer, status);
+      }
+      Report(observer, kGoOn);
       if (iterations_ >= settings_.max_iterations) return Status::kIterationLimit;
       // Without progress along its own normal, the inner approximation is as high as rounding lets it be.
-      if (!inner_.Insert(added) && normal == inner_.Normal()) return Status::kStalled;
-      normal = inner_.Normal();
+      if (!inserted && normal == inner_.Normal()) {
+        if (!Restart()) return Status::kStalled;
+        normal = inner_.Normal();
+      } else {
+        normal = NextNormal(last_outer, last_inner);
+      }
     }
   }
 
-  /// Alg. 1: the difference of the centres if there is a ball about it, else a triangle in the inradius.
+  /// Along a second-order step where there is one, else that of the inner approximation.
+  Point NextNormal([[maybe_unused]] S last_outer, [[maybe_unused]] S last_inner) {
+    if constexpr (Difference::kIsSmooth) {
+      Point next;
+      if (settings_.second_order && !has_restarted_ &&
+          second_order_.Next(difference_, support_, outer_.Normal(), outer_.Height(), last_outer,
+                             last_outer - last_inner, inner_, next)) {
+        return next;
+      }
+    }
+    return inner_.Normal();
+  }
+
+  /// Second-order steps bring points of the same pieces close together, and a basis of such can lose its digits. Then
+  /// cutting planes alone finish the query, from a new basis; the bounds keep what was reached. Once.
+  bool Restart() {
+    if constexpr (Difference::kIsSmooth) {
+      if (has_restarted_ || !settings_.second_order) return false;
+      has_restarted_ = true;
+      reached_ = inner_;
+      InitializeInner();
+      return true;
+    }
+    return false;
+  }
+
+  /// The higher of the inner approximations before and after a restart.
+  const InnerApproximation<S, L>& Inner() const {
+    return has_restarted_ && reached_.Height() > inner_.Height() ? reached_ : inner_;
+  }
+
+  /// Alg. 1: the difference of the centres if there is a ball about it, else a facet in the inradius.
   void InitializeInner() {
     inner_ = difference_.Rounding() > 0
-                 ? InnerApproximation<S>::FromCenter(difference_.Rounding())
-                 : InnerApproximation<S>::FromInradius(difference_.Inradius(), difference_.InradiusShare1());
+                 ? InnerApproximation<S, L>::FromCenter(difference_.Rounding())
+                 : InnerApproximation<S, L>::FromInradius(difference_.Inradius(), difference_.InradiusShare1());
   }
 
   /// Alg. 2, lines 1 and 2: support point and outer update.
-  DifferencePoint<S> CutAlong(const Vector3<S>& normal) {
+  void CutAlong(const Point& normal) {
     ++iterations_;
-    const DifferencePoint<S> added = difference_.Support(normal);
-    outer_.Cut(normal, normal.dot(added.point) + difference_.Rounding(), added);
-    return added;
+    support_ = difference_.Support(normal, support_);
+    outer_.Cut(normal, normal.dot(support_.point) + difference_.Rounding(), support_);
   }
 
   /// Primal warm start (Sec. III-D3): the last basis, moved with the sets, goes into the inner approximation; all at
   /// once if it still carries the ray, else point by point. Without one (curved cores, or sets that were apart) the
   /// last normal starts the outer approximation instead.
   /// @return the first direction to search.
-  Vector3<S> AdoptLastState(const WarmStart<S>& warm_start) {
-    if constexpr (VertexCore<typename Set1::Core> && VertexCore<typename Set2::Core>) {
-      std::array<DifferencePoint<S>, 3> basis;
+  Point AdoptLastState(const WarmStart<S, L>& warm_start) {
+    support_.feature_1 = warm_start.features_1[0];
+    support_.feature_2 = warm_start.features_2[0];
+    Point last_normal = inner_.Normal();
+    if (HasNormal(warm_start)) {
+      // Scaled to unit length each time: the rotations' rounding would add up over the frames.
+      const Point normal = difference_.DirectionToFrame(warm_start.normal_1).normalized();
+      if (normal[L - 1] > 0) last_normal = normal;
+    }
+    if constexpr (Difference::kHasFeatures) {
+      std::array<Feature, L> basis;
       int size = 0;
       for (std::size_t i = 0; i < static_cast<std::size_t>(warm_start.size); ++i) {
-        if (!difference_.HasVertices(warm_start.features_1[i], warm_start.features_2[i])) continue;
+        if (!difference_.HasFeatures(warm_start.features_1[i], warm_start.features_2[i])) continue;
         basis[static_cast<std::size_t>(size++)] =
-            difference_.FromVertices(warm_start.features_1[i], warm_start.features_2[i]);
+            Recall(warm_start.features_1[i], warm_start.features_2[i], last_normal);
       }
       if (size > 0) {
-        if (inner_.AdoptBasis(basis, size)) return inner_.Normal();
-        for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) inner_.Insert(basis[i]);
-        return inner_.Normal();
+        if (!inner_.AdoptBasis(basis, size)) InsertEach(basis, size);
+        if constexpr (!Difference::kIsSmooth) return inner_.Normal();
       }
     }
-    if (!HasNormal(warm_start)) return inner_.Normal();
-    // Scaled to unit length each time: the rotations' rounding would add up over the frames.
-    const Vector3<S> last_normal = difference_.DirectionToFrame(warm_start.normal_1).normalized();
-    return last_normal.z() > 0 ? last_normal : inner_.Normal();
+    return last_normal;
+  }
+
+  Feature Recall(FeatureId feature_1, FeatureId feature_2, [[maybe_unused]] const Point& normal) const {
+    if constexpr (Difference::kIsSmooth) {
+      return difference_.FromFeatures(feature_1, feature_2, normal).support;
+    } else {
+      return difference_.FromVertices(feature_1, feature_2);
+    }
+  }
+
+  /// Not inlined: the rarer of two ways, and long.
+  [[gnu::noinline]] void InsertEach(const std::array<Feature, L>& basis, int size) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) inner_.Insert(basis[i]);
   }
 
   Status Verdict(Question question) const {
     if (Separation() > settings_.separation_limit) return Status::kSeparated;
-    const bool converged = outer_.Height() <= inner_.Height() * (1 + settings_.relative_tolerance);
+    const bool converged = outer_.Height() <= Inner().Height() * (1 + settings_.relative_tolerance);
     if (question == Question::kCollision) {
-      if (inner_.Height() >= difference_.Length()) return Status::kColliding;
+      if (Inner().Height() >= difference_.Length()) return Status::kColliding;
       if (Separation() > 0) return Status::kSeparated;
       return converged ? Status::kTouching : kGoOn;
     }
     return converged ? Status::kOptimal : kGoOn;
   }
 
+  template <class Observer>
+  Status Report(Observer& observer, Status status) const {
+    if constexpr (!std::is_same_v<Observer, const NoObserver>) {
+      observer(Iterate<S, L>{iterations_, LowerBound(), UpperBound(), Normal()});
+    }
+    return status;
+  }
+
   /// A pair that is apart remembers its normal only: the next query tries that first, and needs no basis then.
-  void Remember(Status status, WarmStart<S>& warm_start) const {
+  void Remember(Status status, WarmStart<S, L>& warm_start) const {
     warm_start.normal_1 = difference_.DirectionToSet1(outer_.Normal());
     warm_start.size = 0;
+    warm_start.features_1[0] = support_.feature_1;
+    warm_start.features_2[0] = support_.feature_2;
     if (status == Status::kSeparated) return;
-    for (int i = 0; i < inner_.Size(); ++i) {
-      if (inner_[i].feature_1 == kNoFeature || inner_[i].feature_2 == kNoFeature) continue;
+    const InnerApproximation<S, L>& inner = Inner();
+    for (int i = 0; i < inner.Size(); ++i) {
+      if (inner[i].feature_1 == kNoFeature || inner[i].feature_2 == kNoFeature) continue;
       const auto slot = static_cast<std::size_t>(warm_start.size++);
-      warm_start.features_1[slot] = inner_[i].feature_1;
-      warm_start.features_2[slot] = inner_[i].feature_2;
+      warm_start.features_1[slot] = inner[i].feature_1;
+      warm_start.features_2[slot] = inner[i].feature_2;
     }
   }
 
   /// Not a status that a query ends with: the bounds have not decided yet.
   static constexpr Status kGoOn = Status::kInvalidInput;
 
-  MinkowskiDifference<Set1, Set2> difference_;
+  Difference difference_;
   const Settings<S>& settings_;
-  InnerApproximation<S> inner_;
-  OuterApproximation<S> outer_;
+  InnerApproximation<S, L> inner_;
+  InnerApproximation<S, L> reached_;  // Before a restart.
+  OuterApproximation<S, L> outer_;
+  Feature support_;  // Of the last direction.
   int iterations_ = 0;
   bool coincident_ = false;
+  bool has_restarted_ = false;
+  struct Nothing {};
+  [[no_unique_address]] std::conditional_t<Difference::kIsSmooth, SecondOrderSearch<Difference>, Nothing> second_order_;
 };
 
 /// Tries the normal along which the sets were apart at the last query, before any frame is made: two evaluations of
@@ -195,18 +275,18 @@ template <class Set1, class Set2>
   return true;
 }
 
-template <class Set1, class Set2>
+template <class Set1, class Set2, class Observer>
 [[gnu::flatten]] ResultOf<Set1> GrowthDistance(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
                                                const PoseOf<Set1>& pose_2,
                                                const Settings<typename Set1::Scalar>& settings,
-                                               WarmStartOf<Set1>* warm_start) {
+                                               WarmStartOf<Set1>* warm_start, Observer&& observer) {
   ResultOf<Set1> result;
   if (warm_start != nullptr && warm_start->size == 0 && HasNormal(*warm_start) &&
       SeparatedAlongLastNormal(set_1, pose_1, set_2, pose_2, settings.separation_limit, *warm_start, result)) {
     return result;
   }
   RayIntersection<Set1, Set2> query(set_1, pose_1, set_2, pose_2, settings);
-  result.status = query.Solve(Question::kDistance, warm_start);
+  result.status = query.Solve(Question::kDistance, warm_start, observer);
   result.iterations = query.Iterations();
   if (result.status == Status::kInvalidInput || result.status == Status::kNoInterior) return result;
   result.lower_bound = query.LowerBound();
@@ -236,7 +316,8 @@ CollisionResultOf<Set1> DetectCollision(const Set1& set_1, const PoseOf<Set1>& p
     return result;
   }
   RayIntersection<Set1, Set2> query(set_1, pose_1, set_2, pose_2, settings);
-  result.status = query.Solve(Question::kCollision, warm_start);
+  const NoObserver observer;
+  result.status = query.Solve(Question::kCollision, warm_start, observer);
   result.iterations = query.Iterations();
   switch (result.status) {
     case Status::kSeparated:

@@ -31,6 +31,8 @@ class Cone {
     return RimSupport(direction, radius_, -height_ / 2);
   }
   FeatureId PieceCount() const { return 2; }
+  /// See FacedCore: the rim bounds the base.
+  Vector3<S> FaceNormal(FeatureId piece) const { return {0, 0, piece == 0 ? S(0) : S(-1)}; }
 
   /// The centroid, a quarter of the height above the base.
   Vector3<S> Center() const { return {0, 0, -height_ / 4}; }

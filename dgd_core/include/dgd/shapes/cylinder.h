@@ -29,6 +29,8 @@ class Cylinder {
     return RimSupport(direction, radius_, piece == 0 ? half_height_ : -half_height_);
   }
   FeatureId PieceCount() const { return 2; }
+  /// See FacedCore: both rims bound caps.
+  Vector3<S> FaceNormal(FeatureId piece) const { return {0, 0, piece == 0 ? S(1) : S(-1)}; }
   const Vector3<S>& Center() const { return center_; }
   S Inradius() const { return std::min(radius_, half_height_); }
   /// See CenteredCore.

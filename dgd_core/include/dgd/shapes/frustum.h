@@ -39,6 +39,8 @@ class Frustum {
     return RimSupport(direction, top_radius_, height_ / 2);
   }
   FeatureId PieceCount() const { return 2; }
+  /// See FacedCore: both rims bound discs.
+  Vector3<S> FaceNormal(FeatureId piece) const { return {0, 0, piece == 0 ? S(-1) : S(1)}; }
 
   /// The centroid.
   Vector3<S> Center() const { return {0, 0, center_z_}; }

@@ -1,0 +1,150 @@
+// Where the ray leaves the offset of one feature of the inner approximation: a vertex, an edge, or a facet (a triangle
+// in space, a segment in the plane).
+//
+// All coordinates are in the ray frame, metres: the last one is the height along the ray, those before run across it.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "dgd/ray/tolerances.h"
+#include "dgd/ray/triangle_crossing.h"
+#include "dgd/types.h"
+
+namespace dgd::ray_internal {
+
+/// Each function below fills all of it and returns true, or returns false where the ray passes the feature by.
+template <class S, int L>
+struct FeatureExit {
+  S height = -1;  // Below any real one: no exit found.
+  Vector<S, L> normal = Vector<S, L>::Unit(L - 1);
+  std::array<S, L> weights{};  // Of the feature's points, convex.
+  int size = 0;
+};
+
+/// Turns a facet's normal upwards and to unit length; false if the ray sees the facet edge-on.
+template <class S, int L>
+bool PointUpwards(Vector<S, L>& normal) {
+  const S length = normal.norm();
+  if (!(length > 0)) return false;
+  normal *= std::copysign(1 / length, normal[L - 1]);
+  return normal[L - 1] > 0;
+}
+
+template <class S>
+void SetTriangleHeight(S a, S b, S c, FeatureExit<S, 3>& exit) {
+  exit.height = exit.weights[0] * a + exit.weights[1] * b + exit.weights[2] * c;
+  exit.size = 3;
+}
+
+/// As FacetExit(), for slivers and for rays along a border: the basis changes there by the last digits, and all
+/// triangles on an edge must agree about the side of it on which the ray is.
+template <class S>
+[[gnu::cold, gnu::noinline]] bool SliverExit(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, S rounding,
+                                             FeatureExit<S, 3>& exit) {
+  const SliverNormal<S> normal(a, b, c);
+  exit.normal = normal.cross;
+  if (!PointUpwards<S, 3>(exit.normal)) return false;
+  const Vector3<S> shift = rounding * exit.normal;
+  const Vector3<S> shifted_a = a + shift, shifted_b = b + shift, shifted_c = c + shift;
+  const S area = std::abs(normal.cross.z()), border_error = rounding * normal.error;
+  if (!WeighSliver(shifted_a, shifted_b, shifted_c, area, border_error, exit.weights)) return false;
+  // Corners on a line, but for rounding, leave the weights no digits: then they do not make a point of the ray.
+  const Vector3<S> on_ray = exit.weights[0] * shifted_a + exit.weights[1] * shifted_b + exit.weights[2] * shifted_c;
+  const S reach = std::max({LateralL1<S>(shifted_a), LateralL1<S>(shifted_b), LateralL1<S>(shifted_c)});
+  if (!(LateralL1<S>(on_ray) <= kOffRay<S> * (reach + rounding))) return false;
+  SetTriangleHeight(shifted_a.z(), shifted_b.z(), shifted_c.z(), exit);
+  return true;
+}
+
+/// Offset triangle: the plane through a, b and c, moved by R along its normal; false if the ray passes it by, or sees
+/// it edge-on. Computed the plain way first, and with care where that is not certain.
+template <class S>
+bool FacetExit(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, S rounding, FeatureExit<S, 3>& exit) {
+  exit.normal = (b - a).cross(c - a);
+  const S area = std::abs(exit.normal.z());
+  if (!PointUpwards<S, 3>(exit.normal)) return SliverExit(a, b, c, rounding, exit);
+  // The plane moves sideways by the normal's lateral part, and the triangle's border with it.
+  const Vector3<S> shift = rounding * exit.normal;
+  const Vector3<S> shifted_a = a + shift, shifted_b = b + shift, shifted_c = c + shift;
+  const S reach = std::max({LateralL1<S>(shifted_a), LateralL1<S>(shifted_b), LateralL1<S>(shifted_c)});
+  if (!(area > kSliver<S> * reach * reach)) return SliverExit(a, b, c, rounding, exit);
+  switch (Weigh(shifted_a, shifted_b, shifted_c, kWeightSlack<S> * reach * (reach + rounding), exit.weights)) {
+    case Crossing::kNo:
+      return false;
+    case Crossing::kUncertain:
+      return SliverExit(a, b, c, rounding, exit);
+    case Crossing::kYes:
+      SetTriangleHeight(shifted_a.z(), shifted_b.z(), shifted_c.z(), exit);
+  }
+  return true;
+}
+
+/// Offset edge: the cylinder about the segment from a to b.
+template <class S>
+bool EdgeExit(const Vector3<S>& a, const Vector3<S>& b, S rounding, FeatureExit<S, 3>& exit) {
+  const Vector3<S> d = b - a;
+  const S lateral_sq = d.x() * d.x() + d.y() * d.y();
+  if (!(lateral_sq > 0)) return false;  // Along the ray: its upper end is higher.
+  // Nearest approach of the edge's line to the ray, at parameter t0, and the offset's half width there.
+  const S cross = Cross<S>(a, d);
+  const S half_width_sq = rounding * rounding - cross * cross / lateral_sq;
+  if (!(half_width_sq > 0)) return false;
+  const S t0 = -(a.x() * d.x() + a.y() * d.y()) / lateral_sq;
+  const S length = std::sqrt(lateral_sq + d.z() * d.z());
+  const S lateral = std::sqrt(lateral_sq);
+  const S half_width = std::sqrt(half_width_sq);
+  S t = t0 + half_width * d.z() / (lateral * length);
+  if (!(t >= -kWeightSlack<S> && t <= 1 + kWeightSlack<S>)) return false;
+  t = t < 0 ? S(0) : t > 1 ? S(1) : t;
+  exit.height = a.z() + t0 * d.z() + half_width * length / lateral;
+  // Of a part across the edge and the ray, and a part in their plane: orthogonal to the edge to the last digit also
+  // where the radius is small, which -(a + t * d) / R is not.
+  const S across = cross / (rounding * lateral_sq);
+  const S along = -half_width * d.z() / (rounding * lateral * length);
+  exit.normal = {along * d.x() - across * d.y(), along * d.y() + across * d.x(),
+                 half_width * lateral / (rounding * length)};
+  exit.weights = {1 - t, t, 0};
+  exit.size = 2;
+  return true;
+}
+
+/// Offset segment in the plane: the line through a and b, moved by R along its normal.
+template <class S>
+bool FacetExit(const Vector2<S>& a, const Vector2<S>& b, S rounding, FeatureExit<S, 2>& exit) {
+  const Vector2<S> d = b - a;
+  exit.normal = {-d.y(), d.x()};
+  if (!PointUpwards<S, 2>(exit.normal)) return false;
+  const Vector2<S> shift = rounding * exit.normal;
+  const S across_a = a.x() + shift.x(), across_b = b.x() + shift.x();
+  // Without a radius the sign of a point's coordinate decides, and neighbouring segments agree about it.
+  const S slack = rounding > 0 ? kWeightSlack<S> * (std::abs(across_a) + std::abs(across_b) + rounding) : S(0);
+  const S side = d.x() > 0 ? S(1) : S(-1);
+  if (!(side * across_a <= slack && side * across_b >= -slack)) return false;
+  const S weight_b = std::clamp(-across_a / d.x(), S(0), S(1));
+  exit.weights = {1 - weight_b, weight_b};
+  // From the nearer end, so that a far one costs no digits.
+  const S slope = d.y() / d.x();
+  exit.height = std::abs(across_a) < std::abs(across_b) ? a.y() + shift.y() - slope * across_a
+                                                        : b.y() + shift.y() - slope * across_b;
+  exit.size = 2;
+  return true;
+}
+
+/// Offset vertex: the ball about a.
+template <class S, int L>
+bool VertexExit(const Vector<S, L>& a, S rounding, FeatureExit<S, L>& exit) {
+  const Vector<S, L - 1> across = a.template head<L - 1>();
+  const S half_width_sq = rounding * rounding - across.squaredNorm();
+  if (!(half_width_sq > 0)) return false;
+  const S half_width = std::sqrt(half_width_sq);
+  exit.height = a[L - 1] + half_width;
+  exit.normal.template head<L - 1>() = -across / rounding;
+  exit.normal[L - 1] = half_width / rounding;
+  exit.weights = {1};
+  exit.size = 1;
+  return true;
+}
+
+}  // namespace dgd::ray_internal
