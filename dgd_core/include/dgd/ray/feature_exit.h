@@ -40,16 +40,19 @@ void SetTriangleHeight(S a, S b, S c, FeatureExit<S, 3>& exit) {
 
 /// As FacetExit(), for slivers and for rays along a border: the basis changes there by the last digits, and all
 /// triangles on an edge must agree about the side of it on which the ray is.
+/// @param corner_error  How far the corners may be off across the ray, metres: where that is not 0, several triangles
+///                      may claim the ray.
 template <class S>
 [[gnu::cold, gnu::noinline]] bool SliverExit(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, S rounding,
-                                             FeatureExit<S, 3>& exit) {
+                                             S corner_error, FeatureExit<S, 3>& exit) {
   const SliverNormal<S> normal(a, b, c);
   exit.normal = normal.cross;
   if (!PointUpwards<S, 3>(exit.normal)) return false;
   const Vector3<S> shift = rounding * exit.normal;
   const Vector3<S> shifted_a = a + shift, shifted_b = b + shift, shifted_c = c + shift;
-  const S area = std::abs(normal.cross.z()), border_error = rounding * normal.error;
+  const S area = std::abs(normal.cross.z()), border_error = rounding * normal.error + corner_error;
   if (!WeighSliver(shifted_a, shifted_b, shifted_c, area, border_error, exit.weights)) return false;
+  MoveToRay<S>({&shifted_a, &shifted_b, &shifted_c}, exit.weights);
   // Corners on a line, but for rounding, leave the weights no digits: then they do not make a point of the ray.
   const Vector3<S> on_ray = exit.weights[0] * shifted_a + exit.weights[1] * shifted_b + exit.weights[2] * shifted_c;
   const S reach = std::max({LateralL1<S>(shifted_a), LateralL1<S>(shifted_b), LateralL1<S>(shifted_c)});
@@ -64,17 +67,17 @@ template <class S>
 bool FacetExit(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, S rounding, FeatureExit<S, 3>& exit) {
   exit.normal = (b - a).cross(c - a);
   const S area = std::abs(exit.normal.z());
-  if (!PointUpwards<S, 3>(exit.normal)) return SliverExit(a, b, c, rounding, exit);
+  if (!PointUpwards<S, 3>(exit.normal)) return SliverExit(a, b, c, rounding, S(0), exit);
   // The plane moves sideways by the normal's lateral part, and the triangle's border with it.
   const Vector3<S> shift = rounding * exit.normal;
   const Vector3<S> shifted_a = a + shift, shifted_b = b + shift, shifted_c = c + shift;
   const S reach = std::max({LateralL1<S>(shifted_a), LateralL1<S>(shifted_b), LateralL1<S>(shifted_c)});
-  if (!(area > kSliver<S> * reach * reach)) return SliverExit(a, b, c, rounding, exit);
+  if (!(area > kSliver<S> * reach * reach)) return SliverExit(a, b, c, rounding, S(0), exit);
   switch (Weigh(shifted_a, shifted_b, shifted_c, kWeightSlack<S> * reach * (reach + rounding), exit.weights)) {
     case Crossing::kNo:
       return false;
     case Crossing::kUncertain:
-      return SliverExit(a, b, c, rounding, exit);
+      return SliverExit(a, b, c, rounding, S(0), exit);
     case Crossing::kYes:
       SetTriangleHeight(shifted_a.z(), shifted_b.z(), shifted_c.z(), exit);
   }

@@ -214,23 +214,73 @@ class InnerApproximation {
     // or the added point is opposite to one. Several facets carry the ray then, at one height but for rounding: it is
     // one with the dropped point below it, and of those the flattest, which magnifies the rounding least.
     const int outgoing = OutgoingIndex(added.point, Point::Zero());
-    Candidate best, candidate;
-    bool best_is_outside = false;
+    SharpChoice choice;
     for (int turn = 0; turn < L; ++turn) {
       const int dropped = (outgoing + turn) % L;
-      if (!FacetExit(dropped, added.point, candidate)) continue;
+      Candidate candidate;
+      if (FacetExit(dropped, added.point, candidate) && choice.Take(candidate, IsOutside(candidate, dropped, added))) {
+        return Replace(candidate, added);
+      }
+    }
+    if constexpr (L == 3) ChooseBorderFacet(added, choice);
+    return choice.best.size > 0 && Replace(choice.best, added);
+  }
+
+  struct SharpChoice {
+    Candidate best;
+    bool best_is_outside = false;
+
+    /// @return whether the candidate is as good as any other can be.
+    bool Take(const Candidate& candidate, bool is_outside) {
       const S slope = candidate.normal[L - 1];
-      const bool is_outside = candidate.normal.dot(PointOf(dropped) - added.point) <= 0;
-      if (is_outside && slope > kSteep<S>) return Replace(candidate, added);
-      const bool better = is_outside != best_is_outside ? is_outside
-                          : is_outside                  ? slope > best.normal[L - 1]
-                                                        : candidate.height > best.height;
-      if (best.size == 0 || better) {
+      const bool is_better = is_outside != best_is_outside ? is_outside
+                             : is_outside                  ? slope > best.normal[L - 1]
+                                                           : candidate.height > best.height;
+      if (best.size == 0 || is_better) {
         best = candidate;
         best_is_outside = is_outside;
       }
+      return is_outside && slope > kSteep<S>;
     }
-    return best.size > 0 && Replace(best, added);
+  };
+
+  bool IsOutside(const Candidate& candidate, int dropped, const DifferencePoint<S, L>& added) const {
+    return candidate.normal.dot(PointOf(dropped) - added.point) <= 0;
+  }
+
+  /// The facets whose border the ray misses by no more than the rounding of the points: where it meets an edge of the
+  /// basis and a new point lies beyond that edge, or on the ray itself, the signs of the last digits may say that no
+  /// facet holds the ray, or only one seen edge-on.
+  [[gnu::cold, gnu::noinline]] void ChooseBorderFacet(const DifferencePoint<S, L>& added, SharpChoice& choice) const {
+    SharpChoice careful;
+    const S error = kWeightSlack<S> * Reach(added.point);
+    for (int dropped = 0; dropped < L; ++dropped) {
+      Candidate candidate;
+      candidate.kept = {(dropped + 1) % L, (dropped + 2) % L};
+      if (ray_internal::SliverExit<S>(PointOf(candidate.kept[0]), PointOf(candidate.kept[1]), added.point, rounding_,
+                                      error, candidate) &&
+          IsBelowCeiling(candidate)) {
+        if (weights_[static_cast<std::size_t>(dropped)] <= kWeightSlack<S>) KeepExit(candidate);
+        careful.Take(candidate, IsOutside(candidate, dropped, added));
+      }
+    }
+    if (careful.best.size > 0) choice = careful;
+  }
+
+  /// For a ray that leaves through the edge of the kept points: the facet turns about it, the exit stays.
+  void KeepExit(Candidate& candidate) const {
+    const S weight_0 = weights_[static_cast<std::size_t>(candidate.kept[0])];
+    const S weight_1 = weights_[static_cast<std::size_t>(candidate.kept[1])];
+    const S sum = weight_0 + weight_1;
+    candidate.weights = {weight_0 / sum, weight_1 / sum, 0};
+    candidate.height = height_;
+  }
+
+  /// Largest coordinate of the basis and the added point, metres.
+  S Reach(const Point& added) const {
+    S reach = added.cwiseAbs().maxCoeff();
+    for (const DifferencePoint<S, L>& point : points_) reach = std::max(reach, point.point.cwiseAbs().maxCoeff());
+    return reach;
   }
 
   /// Makes the kept points and the added one the basis, unless that is lower by more than rounding; the bound itself is
@@ -267,9 +317,7 @@ class InnerApproximation {
   /// How much lower than now an exit may be by rounding: the error of the points' coordinates across the ray, up the
   /// slope of the steeper plane.
   S HeightRounding(const Candidate& candidate, const Point& added) const {
-    S reach = added.cwiseAbs().maxCoeff();
-    for (const DifferencePoint<S, L>& point : points_) reach = std::max(reach, point.point.cwiseAbs().maxCoeff());
-    return kWeightSlack<S> * reach / std::min(candidate.normal[L - 1], normal_[L - 1]);
+    return kWeightSlack<S> * Reach(added) / std::max(kSteep<S>, std::min(candidate.normal[L - 1], normal_[L - 1]));
   }
 
   std::array<DifferencePoint<S, L>, L> points_;

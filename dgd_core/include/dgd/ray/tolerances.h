@@ -32,10 +32,11 @@ inline constexpr S kWeightSlack = 16 * kEpsilon<S>;
 template <class S>
 inline constexpr S kSliver = S(0.05);
 
-/// How far from the ray a sliver's point may lie, as a part of the sliver's reach across it: what was seen of
-/// wrong ones is far more, and most right ones have less than 1e-12.
+/// How far from the ray a sliver's point may lie, as a part of the sliver's reach across it: the rounding of its
+/// corners and its weights. A steep sliver magnifies it to the height, so that float, with fewer digits, spends fewer
+/// of them.
 template <class S>
-inline constexpr S kOffRay = kSqrtEpsilon<S> / 16;
+inline constexpr S kOffRay = (sizeof(S) == 8 ? 4096 : 64) * kEpsilon<S>;
 
 /// Planes whose unit normal has a smaller part along the ray are steep: the height at which they meet the ray magnifies
 /// the rounding of their points by the inverse, so a flatter one is looked for. Test: GrowthDistance.SteepTriangle_*.

@@ -85,13 +85,37 @@ bool WeighSliver(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, 
   std::size_t first = edges[0].scale >= edges[1].scale ? 0 : 1, second = 1 - first;
   if (edges[2].scale > edges[second].scale) second = 2;
   if (edges[second].scale > edges[first].scale) std::swap(first, second);
-  const S others = weights[3 - first - second];
+  S& others = weights[3 - first - second];
+  others = std::min(others, S(1));
   weights[first] = 1 - others - weights[second];
   if (weights[first] < 0) {
     weights[first] = 0;
-    weights[second] = std::max(S(0), 1 - others);
+    weights[second] = 1 - others;
   }
   return true;
+}
+
+/// The flatter a sliver, the fewer digits its weights have; but what they are off by runs along its longest side, and a
+/// shift of weight from one end of that to the other takes it away.
+template <class S>
+void MoveToRay(const std::array<const Vector3<S>*, 3>& corners, std::array<S, 3>& weights) {
+  Vector2<S> longest = Vector2<S>::Zero(), off = Vector2<S>::Zero();
+  std::size_t from = 0, to = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t next = (i + 1) % 3;
+    const Vector2<S> side = (*corners[next] - *corners[i]).template head<2>();
+    if (side.squaredNorm() > longest.squaredNorm()) {
+      longest = side;
+      from = i;
+      to = next;
+    }
+    off += weights[i] * corners[i]->template head<2>();
+  }
+  const S length_sq = longest.squaredNorm();
+  if (!(length_sq > 0)) return;
+  const S shift = std::clamp(off.dot(longest) / length_sq, -weights[from], weights[to]);
+  weights[from] += shift;
+  weights[to] -= shift;
 }
 
 /// Normal of a sliver, from the corner opposite its longest side; see EdgeArea.

@@ -1,0 +1,69 @@
+// Triangles so flat, seen along the ray, that plain barycentric weights have few or no digits.
+#include "dgd/ray/feature_exit.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+
+namespace dgd {
+namespace {
+
+using ray_internal::FacetExit;
+using ray_internal::FeatureExit;
+using ray_internal::SliverExit;
+using Point = Vector3<double>;
+using Corners = std::array<Point, 3>;
+
+constexpr double kCornerError = 16 * std::numeric_limits<double>::epsilon();
+
+/// The weights are convex, and what they make of the corners is the point of the ray at the height that is told.
+void ExpectPointOfRay(const Corners& corners, const FeatureExit<double, 3>& exit) {
+  Point sum = Point::Zero();
+  double weights = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_GE(exit.weights[i], 0);
+    weights += exit.weights[i];
+    sum += exit.weights[i] * corners[i];
+  }
+  EXPECT_NEAR(weights, 1, 1e-15);
+  EXPECT_NEAR(sum.x(), 0, 1e-13);
+  EXPECT_NEAR(sum.y(), 0, 1e-13);
+  EXPECT_NEAR(sum.z(), exit.height, 1e-15);
+}
+
+// From soak runs; the weights by exact rational arithmetic.
+TEST(FacetExit, CornersNearlyOnALineThroughTheRay_ExitIsOnTheRay) {
+  const Corners corners = {Point(0.057566277658441474, 0.0038848596787811659, 0.18134003413394378),
+                           Point(-0.052806069128890215, -0.0035636170529074127, 0.24086318755782304),
+                           Point(-0.0083480853107639336, -0.00056337045470731401, 0.21808999709485724)};
+  FeatureExit<double, 3> exit;
+  ASSERT_TRUE(FacetExit<double>(corners[0], corners[1], corners[2], 0, exit));
+  ExpectPointOfRay(corners, exit);
+  // Between the lowest and the highest of the edges through which it may leave, for all that the digits say.
+  EXPECT_GT(exit.height, 0.2123);
+  EXPECT_LT(exit.height, 0.2135);
+}
+
+TEST(FacetExit, OppositeCornersAndOneOnTheirLine_WeightsAreConvex) {
+  const Corners corners = {Point(-0.036504928341484978, -0.25180261400794662, 1.1665941669467614),
+                           Point(-0.067888716359463155, -0.46828077790061956, 1.1116410036454749),
+                           Point(0.036504928341484534, 0.2518026140079464, 1.3046198955692356)};
+  FeatureExit<double, 3> exit;
+  // It may say that the ray passes by; if not, it must be right.
+  if (SliverExit<double>(corners[0], corners[1], corners[2], 0, kCornerError, exit)) ExpectPointOfRay(corners, exit);
+}
+
+TEST(SliverExit, CornerOnTheRayButForRounding_HoldsItWithinTheCornersError) {
+  const Corners corners = {Point(0.326871010522646, -0.31733301737610953, 0.28270688435520347),
+                           Point(-0.0045190260282879091, -0.43670302806385308, 0.10532201800267119),
+                           Point(-2.7755575615628914e-17, -4.163336342344337e-17, 0.24141123723655222)};
+  FeatureExit<double, 3> exit;
+  EXPECT_FALSE(FacetExit<double>(corners[0], corners[1], corners[2], 0, exit));
+  ASSERT_TRUE(SliverExit<double>(corners[0], corners[1], corners[2], 0, kCornerError, exit));
+  ExpectPointOfRay(corners, exit);
+  EXPECT_NEAR(exit.height, corners[2].z(), 1e-15);
+}
+
+}  // namespace
+}  // namespace dgd
