@@ -1,32 +1,15 @@
 // The benchmark as its users run it: exit statuses, and a table with all its rows. No times are judged.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
 #include <string>
+
+#include "support/run_program.h"
 
 namespace {
 
-struct Outcome {
-  int status;
-  std::string output;  // Both streams.
-};
-
-Outcome RunProgram(const std::string& program, const std::string& arguments) {
-  std::FILE* pipe = popen((program + " " + arguments + " 2>&1").c_str(), "r");
-  std::string output;
-  std::array<char, 4096> text;
-  while (std::fgets(text.data(), static_cast<int>(text.size()), pipe) != nullptr) output += text.data();
-  const int status = pclose(pipe);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
-}
-
-int Count(const std::string& text, const std::string& part) {
-  int count = 0;
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-  return count;
-}
+using dgd_test::Count;
+using dgd_test::Outcome;
+using dgd_test::RunProgram;
 
 class HullPairsTest : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Bullet, HullPairsTest, testing::Values(DGD_TEST_PROGRAM_FLOAT, DGD_TEST_PROGRAM_FLOAT64),

@@ -3,6 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
+#include "dgd/shapes/box.h"
+#include "dgd/shapes/ellipsoid.h"
+#include "dgd/shapes/point.h"
 #include "support/any_set.h"
 #include "support/random_sets.h"
 
@@ -98,6 +104,58 @@ TEST_F(CertificateTest, NanAndInfinity_AreNoticed) {
 TEST_F(CertificateTest, DefaultResult_DoesNotHold) {
   result_ = {};
   EXPECT_FALSE(Holds());
+}
+
+/// In the plane: two rectangles edge to edge, and a circle at the end of an ellipse.
+class PlanarCertificateTest : public ::testing::Test {
+ protected:
+  using Vector2d = Eigen::Vector2d;
+
+  dgd::Certificate CertifyRectangles() const { return Certify(rectangle_, {}, rectangle_, beside_, of_rectangles_); }
+  dgd::Certificate CertifyRound() const { return Certify(circle_, {}, ellipse_, beside_, of_round_); }
+
+  const dgd::RoundedSet<dgd::Box<double, 2>> rectangle_{dgd::Box<double, 2>(Vector2d(1, 0.5)), 0};
+  const dgd::RoundedSet<dgd::Point<double, 2>> circle_{dgd::Point<double, 2>(), 0.5};
+  const dgd::RoundedSet<dgd::Ellipsoid<double, 2>> ellipse_{dgd::Ellipsoid<double, 2>(Vector2d(1.5, 0.2)), 0};
+  const dgd::Pose<double, 2> beside_{dgd::SquareMatrix<double, 2>::Identity(), Vector2d(4, 0)};
+  dgd::Result<double, 2> of_rectangles_ = GrowthDistance(rectangle_, {}, rectangle_, beside_);
+  dgd::Result<double, 2> of_round_ = GrowthDistance(circle_, {}, ellipse_, beside_);
+};
+
+TEST_F(PlanarCertificateTest, RightAnswers_Hold) {
+  EXPECT_TRUE(CertifyRectangles().Holds(kLength, kGap));
+  EXPECT_NEAR(CertifyRectangles().proven_lower_bound, 2, 1e-14);
+  EXPECT_TRUE(CertifyRound().Holds(kLength, kGap));
+  EXPECT_NEAR(CertifyRound().proven_lower_bound, 2, 1e-14);
+}
+
+TEST_F(PlanarCertificateTest, WitnessOutsideItsSet_IsNoticed) {
+  of_rectangles_.witness_1.x() += 0.01;
+  EXPECT_GE(CertifyRectangles().primal_infeasibility, 0.01);
+  of_round_.witness_2.x() -= 0.01;
+  EXPECT_GE(CertifyRound().primal_infeasibility, 0.01);
+}
+
+TEST_F(PlanarCertificateTest, TooSmallAGrowthDistance_IsNoticed) {
+  of_rectangles_.upper_bound *= 0.99;
+  EXPECT_FALSE(CertifyRectangles().Holds(kLength, kGap));
+  of_round_.upper_bound *= 0.99;
+  EXPECT_FALSE(CertifyRound().Holds(kLength, kGap));
+}
+
+TEST_F(PlanarCertificateTest, TurnedNormal_IsNoticed) {
+  const Vector2d turned(std::cos(0.01), std::sin(0.01));
+  of_rectangles_.normal = turned;
+  EXPECT_FALSE(CertifyRectangles().Holds(kLength, kGap));
+  of_round_.normal = turned;
+  EXPECT_FALSE(CertifyRound().Holds(kLength, kGap));
+}
+
+TEST_F(PlanarCertificateTest, WrongSeparation_IsNoticed) {
+  of_rectangles_.separation += 1e-6;
+  EXPECT_FALSE(CertifyRectangles().Holds(kLength, kGap));
+  of_round_.separation += 1e-6;
+  EXPECT_FALSE(CertifyRound().Holds(kLength, kGap));
 }
 
 }  // namespace

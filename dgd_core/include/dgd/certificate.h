@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <concepts>
 #include <limits>
 
 #include "dgd/convex_set.h"
@@ -41,68 +43,80 @@ struct Certificate {
 
 namespace certificate_internal {
 
-inline Eigen::Vector3d ToWorld(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& translation,
-                               const Eigen::Vector3d& local) {
-  return rotation * local + translation;
-}
-
-/// Largest <direction, x - center> over the posed set.
+/// A set in the world, in double.
 template <class Set>
-double SupportAboutCenter(const Set& set, const Eigen::Matrix3d& rotation, const Eigen::Vector3d& direction) {
+class PosedSet {
+ public:
   using S = typename Set::Scalar;
-  const Eigen::Vector3d local = rotation.transpose() * direction;
-  const Vector3<S> support = set.core.Support(local.template cast<S>()).point;
-  const Vector3<S> center = set.core.Center();
-  return local.dot(support.template cast<double>() - center.template cast<double>()) + double(set.radius);
-}
+  using Core = typename Set::Core;
+  static constexpr int L = kDimension<Core>;
+  using Point = Vector<double, L>;
 
-/// Distance of a world point to the posed set, 0 inside.
-template <class Set>
-double DistanceToSet(const Set& set, const Eigen::Matrix3d& rotation, const Eigen::Vector3d& translation,
-                     const Eigen::Vector3d& point) {
-  using S = typename Set::Scalar;
-  const Eigen::Vector3d local = rotation.transpose() * (point - translation);
-  if (!point.allFinite()) return std::numeric_limits<double>::quiet_NaN();
-  return std::max(0.0, double(set.core.Distance(local.template cast<S>())) - double(set.radius));
-}
+  PosedSet(const Set& set, const PoseOf<Set>& pose)
+      : set_(set),
+        rotation_(pose.rotation.template cast<double>()),
+        translation_(pose.translation.template cast<double>()),
+        local_center_(VectorOf<Core>(set.core.Center()).template cast<double>()) {}
+
+  Point Center() const { return rotation_ * local_center_ + translation_; }
+
+  /// Largest <direction, x - center> over the set.
+  double SupportAboutCenter(const Point& direction) const {
+    const Point local = rotation_.transpose() * direction;
+    const VectorOf<Core> local_direction = local.template cast<S>();
+    if constexpr (CertifiableCore<Core>) {
+      return double(set_.core.SupportValue(local_direction)) - local.dot(local_center_) + double(set_.radius);
+    } else {
+      const VectorOf<Core> support = set_.core.Support(local_direction).point;
+      return local.dot(support.template cast<double>() - local_center_) + double(set_.radius);
+    }
+  }
+
+  /// Of a world point, 0 inside.
+  double Distance(const Point& point) const {
+    if (!point.allFinite()) return std::numeric_limits<double>::quiet_NaN();
+    const VectorOf<Core> local = Point(rotation_.transpose() * (point - translation_)).template cast<S>();
+    return std::max(0.0, double(set_.core.Distance(local)) - double(set_.radius));
+  }
+
+ private:
+  const Set& set_;
+  SquareMatrix<double, L> rotation_;
+  Point translation_;
+  Point local_center_;
+};
 
 }  // namespace certificate_internal
 
 /// Certificate of `result` for the two sets in their poses, which must be those of the query.
 template <class Set1, class Set2>
 requires MeasurableCore<typename Set1::Core> && MeasurableCore<typename Set2::Core> Certificate
-Certify(const Set1& set_1, const Pose<typename Set1::Scalar>& pose_1, const Set2& set_2,
-        const Pose<typename Set1::Scalar>& pose_2, const Result<typename Set1::Scalar>& result) {
-  using namespace certificate_internal;
-  using S = typename Set1::Scalar;
-  const Eigen::Matrix3d rotation_1 = pose_1.rotation.template cast<double>();
-  const Eigen::Matrix3d rotation_2 = pose_2.rotation.template cast<double>();
-  const Eigen::Vector3d translation_1 = pose_1.translation.template cast<double>();
-  const Eigen::Vector3d translation_2 = pose_2.translation.template cast<double>();
-  const Vector3<S> local_center_1 = set_1.core.Center(), local_center_2 = set_2.core.Center();
-  const Eigen::Vector3d center_1 = ToWorld(rotation_1, translation_1, local_center_1.template cast<double>());
-  const Eigen::Vector3d center_2 = ToWorld(rotation_2, translation_2, local_center_2.template cast<double>());
-  const Eigen::Vector3d witness_1 = result.witness_1.template cast<double>();
-  const Eigen::Vector3d witness_2 = result.witness_2.template cast<double>();
-  const Eigen::Vector3d normal = result.normal.template cast<double>();
+Certify(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2, const PoseOf<Set1>& pose_2,
+        const ResultOf<Set1>& result) {
+  const certificate_internal::PosedSet<Set1> posed_1(set_1, pose_1);
+  const certificate_internal::PosedSet<Set2> posed_2(set_2, pose_2);
+  using Point = typename certificate_internal::PosedSet<Set1>::Point;
+  const Point center_1 = posed_1.Center();
+  const Point center_2 = posed_2.Center();
+  const Point witness_1 = result.witness_1.template cast<double>();
+  const Point witness_2 = result.witness_2.template cast<double>();
+  const Point normal = result.normal.template cast<double>();
   const double growth_distance = double(result.GrowthDistance());
 
   Certificate certificate;
-  const Eigen::Vector3d scaled_1 = center_1 + growth_distance * (witness_1 - center_1);
-  const Eigen::Vector3d scaled_2 = center_2 + growth_distance * (witness_2 - center_2);
-  const double infeasibilities[] = {(scaled_1 - scaled_2).norm(),
-                                    DistanceToSet(set_1, rotation_1, translation_1, witness_1),
-                                    DistanceToSet(set_2, rotation_2, translation_2, witness_2)};
+  const Point scaled_1 = center_1 + growth_distance * (witness_1 - center_1);
+  const Point scaled_2 = center_2 + growth_distance * (witness_2 - center_2);
+  const double infeasibilities[] = {(scaled_1 - scaled_2).norm(), posed_1.Distance(witness_1),
+                                    posed_2.Distance(witness_2)};
   for (const double infeasibility : infeasibilities) {
     // Not std::max, which drops a NaN; and once NaN, it stays so.
     if (std::isnan(certificate.primal_infeasibility)) break;
     if (!(infeasibility <= certificate.primal_infeasibility)) certificate.primal_infeasibility = infeasibility;
   }
 
-  const Eigen::Vector3d p = center_2 - center_1;
-  const double along_ray = normal.dot(p);
+  const double along_ray = normal.dot(center_2 - center_1);
   certificate.dual_infeasibility = std::abs(normal.norm() - 1) + (along_ray >= 0 ? 0 : 1);
-  const double support = SupportAboutCenter(set_1, rotation_1, normal) + SupportAboutCenter(set_2, rotation_2, -normal);
+  const double support = posed_1.SupportAboutCenter(normal) + posed_2.SupportAboutCenter(-normal);
   certificate.proven_lower_bound = along_ray / support;
   certificate.separation_error = std::abs(along_ray - support - double(result.separation));
   certificate.relative_gap = growth_distance == 0 ? 0 : growth_distance / certificate.proven_lower_bound - 1;

@@ -1,0 +1,35 @@
+// The classes of pairs that the benchmark `iterations` draws from.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "support/pairs/set_numbers.h"
+#include "support/random.h"
+
+namespace dgd_bench {
+
+/// Point sets whose hulls are the meshes of a class; metres.
+using Meshes = std::vector<std::vector<Eigen::Vector3d>>;
+
+/// Points on an ellipsoid ten times longer than thick, from 241 to 4516 of them.
+Meshes EllipsoidMeshes(dgd_test::Random& random);
+
+/// The vertices of all .obj files in the folder and below, in the order of their names.
+/// Throws std::runtime_error, naming the file, if one cannot be read, or there is none.
+Meshes ReadMeshes(const std::filesystem::path& folder);
+
+struct IterationClass {
+  const char* name;   ///< On the command line.
+  const char* title;  ///< In the table.
+  int dimension;
+  /// Pairs are expensive to make: so many fewer of them, each in so many more poses.
+  int poses_factor;
+  /// The sets; the poses are not theirs to draw.
+  dgd_test::PairNumbers (*draw_sets)(dgd_test::Random& random, const Meshes& meshes);
+};
+
+const std::vector<IterationClass>& AllIterationClasses();
+
+}  // namespace dgd_bench

@@ -1,0 +1,113 @@
+#include "bench/iteration_count.h"
+
+#include <algorithm>
+
+#include "bench/stopwatch.h"
+#include "support/pairs/random_pair.h"
+
+namespace dgd_bench {
+namespace {
+
+using dgd_test::AnyPair;
+using dgd_test::PairNumbers;
+using dgd_test::PoseNumbers;
+using dgd_test::Random;
+using dgd_test::Which;
+
+constexpr double kMotion = 0.01;
+constexpr int kTimeRepeats = 3;
+// Of the pairs' places from the extent: overlaps and gaps are both frequent.
+constexpr double kReach = 0.7;
+
+PoseNumbers RandomPose(Random& random, int dimension, double extent) {
+  PoseNumbers pose{RandomRotation(random, dimension), kReach * extent * random.InCube()};
+  if (dimension == 2) pose.translation.z() = 0;
+  return pose;
+}
+
+/// One pair in one pose, asked in one way.
+template <int L>
+void Ask(AnyPair<double, L>& pair, const IterationVariant& variant, const dgd::WarmStart<double, L>& start,
+         std::int64_t index, dgd_test::Tally& tally, std::vector<double>& times) {
+  dgd::Result<double, L> result;
+  times.push_back(MeanMicroseconds(kTimeRepeats, [&] {
+    dgd::WarmStart<double, L> warm_start = start;
+    result = pair.GrowthDistance(variant.settings, &warm_start);
+    Keep(result);
+  }));
+  const dgd::Certificate certificate = pair.Certify(result);
+  const double size = pair.Extent() + (pair.Center(Which::kSecond) - pair.Center(Which::kFirst)).norm();
+  ++tally.pairs;
+  tally.CountIterations(result.iterations);
+  if (result.status != dgd::Status::kOptimal) ++tally.non_optimal;
+  tally.relative_gap.Take(certificate.relative_gap, index);
+  tally.primal_infeasibility.Take(certificate.primal_infeasibility / size, index);
+}
+
+double Median(std::vector<double>& figures) {
+  const auto middle = figures.begin() + static_cast<std::ptrdiff_t>(figures.size() / 2);
+  std::nth_element(figures.begin(), middle, figures.end());
+  return *middle;
+}
+
+template <int L>
+std::vector<IterationRow> Count(const IterationClass& iteration_class, const Meshes& meshes,
+                                const IterationEffort& effort, void (*progress)(double share)) {
+  std::vector<IterationRow> rows;
+  for (const IterationVariant& variant : IterationVariants()) rows.push_back({variant.title, {}, 0});
+  std::vector<std::vector<double>> times(rows.size());
+
+  Random random(effort.seed);
+  const int pairs = std::max(1, effort.pairs / iteration_class.poses_factor);
+  const int poses = effort.pairs * effort.poses / pairs;
+  for (int i = 0; i < pairs; ++i) {
+    AnyPair<double, L> pair(iteration_class.draw_sets(random, meshes));
+    const double extent = pair.Extent();
+    for (int j = 0; j < poses; ++j) {
+      const PoseNumbers pose_1 = RandomPose(random, L, extent), last_pose_2 = RandomPose(random, L, extent);
+      const PoseNumbers pose_2 = MovedALittle(random, last_pose_2, L, kMotion, extent);
+      const std::int64_t index = std::int64_t{i} * poses + j;
+      for (std::size_t v = 0; v < rows.size(); ++v) {
+        const IterationVariant& variant = IterationVariants()[v];
+        dgd::WarmStart<double, L> start;
+        if (variant.is_warm) {
+          pair.MoveTo(pose_1, last_pose_2);
+          pair.GrowthDistance(variant.settings, &start);
+        }
+        pair.MoveTo(pose_1, pose_2);
+        Ask(pair, variant, start, index, rows[v].tally, times[v]);
+      }
+    }
+    progress(static_cast<double>(i + 1) / pairs);
+  }
+  for (std::size_t v = 0; v < rows.size(); ++v) rows[v].microseconds_p50 = Median(times[v]);
+  return rows;
+}
+
+}  // namespace
+
+const std::vector<IterationVariant>& IterationVariants() {
+  static const std::vector<IterationVariant> variants = [] {
+    const dgd::Settings<double> usual;
+    dgd::Settings<double> exact;
+    exact.relative_tolerance = 1e-12;
+    dgd::Settings<double> first_order;
+    first_order.second_order = false;
+    dgd::Settings<double> unrounded;
+    unrounded.rounding = false;
+    return std::vector<IterationVariant>{{"cold", usual, false, true},
+                                         {"warm", usual, true, true},
+                                         {"no second-order steps, cold", first_order, false, false},
+                                         {"no radii apart from cores, cold", unrounded, false, false},
+                                         {"tolerance 1e-12, cold", exact, false, false}};
+  }();
+  return variants;
+}
+
+std::vector<IterationRow> CountIterations(const IterationClass& iteration_class, const Meshes& meshes,
+                                          const IterationEffort& effort, void (*progress)(double share)) {
+  return iteration_class.dimension == 2 ? Count<2>(iteration_class, meshes, effort, progress)
+                                        : Count<3>(iteration_class, meshes, effort, progress);
+}
+
+}  // namespace dgd_bench

@@ -1,0 +1,41 @@
+// What the benchmark `iterations` measures of one class: iterations, certificates and times, in each of some ways of
+// asking.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "bench/iteration_class.h"
+#include "dgd/growth_distance.h"
+#include "support/pairs/tally.h"
+
+namespace dgd_bench {
+
+/// A way of asking: settings, and from where.
+struct IterationVariant {
+  const char* title;
+  dgd::Settings<double> settings;
+  bool is_warm;          ///< From the answer at a pose 1 % of the extent and 0.01 rad away.
+  bool must_be_optimal;  ///< Else rounding, or the limit of iterations, may be in the way.
+};
+const std::vector<IterationVariant>& IterationVariants();
+
+/// One line of the table.
+struct IterationRow {
+  const char* title;
+  dgd_test::Tally tally;
+  double microseconds_p50;
+};
+
+struct IterationEffort {
+  int pairs = 1000;
+  int poses = 100;
+  std::uint64_t seed = 1;
+};
+
+/// One row per variant.
+/// @param progress  Called with the share that is done, now and then.
+std::vector<IterationRow> CountIterations(const IterationClass& iteration_class, const Meshes& meshes,
+                                          const IterationEffort& effort, void (*progress)(double share));
+
+}  // namespace dgd_bench

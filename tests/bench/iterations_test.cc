@@ -1,0 +1,54 @@
+// The iteration benchmark as its users run it: exit statuses, and a table with all its rows. No counts are judged.
+#include <gtest/gtest.h>
+
+#include <iterator>
+#include <string>
+
+#include "support/run_program.h"
+
+namespace {
+
+using dgd_test::Count;
+using dgd_test::Outcome;
+
+Outcome RunIterations(const std::string& arguments) {
+  return dgd_test::RunProgram(DGD_TEST_PROGRAM_ITERATIONS, arguments);
+}
+
+TEST(IterationsTest, FewPairs_TableHoldsEveryClassAndRow) {
+  const Outcome outcome = RunIterations("--pairs 20 --poses 5");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  constexpr const char* kClasses[] = {"curved", "rounded-hulls", "sharp-hulls", "meshes", "dsf", "2d"};
+  for (const char* each : kClasses) {
+    EXPECT_EQ(Count(outcome.output, std::string("\n") + each + ": "), 1) << each << '\n' << outcome.output;
+  }
+  for (const char* row : {"\n  cold ", "\n  warm ", "\n  no second-order steps, cold ",
+                          "\n  no radii apart from cores, cold ", "\n  tolerance 1e-12, cold "}) {
+    EXPECT_EQ(Count(outcome.output, row), static_cast<int>(std::size(kClasses))) << row << '\n' << outcome.output;
+  }
+}
+
+TEST(IterationsTest, SameSeed_CountsTheSame) {
+  const auto without_times = [](const std::string& output) {
+    std::string kept;
+    for (std::size_t at = 0; at < output.size();) {
+      const std::size_t end = output.find('\n', at);
+      kept += output.substr(at, output.find_last_of(' ', end) - at) + '\n';
+      at = end + 1;
+    }
+    return kept;
+  };
+  const std::string options = "--pairs 10 --poses 3 --classes curved,sharp-hulls --seed ";
+  const std::string once = without_times(RunIterations(options + "5").output);
+  EXPECT_EQ(once, without_times(RunIterations(options + "5").output));
+  EXPECT_NE(once, without_times(RunIterations(options + "6").output));
+}
+
+TEST(IterationsTest, WrongArguments_EndWithStatusTwo) {
+  for (const char* arguments : {"--pairs 0", "--poses 0", "--seed -1", "--classes boxes", "--meshes /no/such/folder"}) {
+    EXPECT_EQ(RunIterations(arguments).status, 2) << arguments;
+  }
+  EXPECT_EQ(RunIterations("--help").status, 0);
+}
+
+}  // namespace

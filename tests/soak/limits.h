@@ -1,0 +1,62 @@
+// What the soak lets pass: how far rounding alone may lead an answer astray. Everything else is a failure.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "dgd/growth_distance.h"
+#include "support/pairs/any_pair.h"
+
+namespace dgd_soak {
+
+/// Limits for one pair in its poses. S is the scalar of the query.
+template <class S>
+struct Limits {
+  static constexpr double kEpsilon = dgd::kEpsilon<S>;
+  /// Rounding errors of sums of a few terms add up to some units of epsilon.
+  static constexpr double kUnits = 16;
+  /// An affine map stretches its core's rounding, by up to the ratio of its stretches.
+  static constexpr double kSeparationUnits = 64;
+  /// Of float, half of all answers need a fifth of a unit, the worst of 2e4 curved ones 20.
+  static constexpr double kFloatInfeasibilityUnits = 64;
+
+  double size;          ///< Of the pair: its sets' extent and the distance of the centres, metres.
+  double gap;           ///< Of the certificate of an optimal result.
+  double primal;        ///< Metres.
+  double dual;          ///< 1 more where the centres are too near for their rounding to tell a normal's sign.
+  double separation;    ///< Metres.
+  double answer;        ///< Of a growth distance to the true one, relative.
+  double answer_floor;  ///< And this, absolute: where the ray's direction is rounding.
+
+  template <int L>
+  Limits(const dgd_test::AnyPair<S, L>& pair, const dgd::Result<S, L>& result, bool is_curved, double tolerance) {
+    using Point = typename dgd_test::AnyPair<S, L>::Point;
+    const Point center_1 = pair.Center(dgd_test::Which::kFirst), center_2 = pair.Center(dgd_test::Which::kSecond);
+    const double extent = pair.Extent();
+    const double distance = (center_2 - center_1).norm();
+    const double along = result.normal.template cast<double>().dot(center_2 - center_1);
+    // Largest world coordinate that a computation meets.
+    const double reach =
+        std::max(center_1.template lpNorm<Eigen::Infinity>(), center_2.template lpNorm<Eigen::Infinity>()) + extent;
+    const double support = along - double(result.separation);
+    const double growth_distance = double(result.upper_bound);
+    size = extent + distance;
+    // The certificate's lower bound is along / support: each carries the rounding of its own terms.
+    gap = 1.001 * tolerance + kUnits * kEpsilon * (1 + reach / std::abs(along) + extent / support);
+    // The growth distance magnifies the rounding of the witness points' world coordinates.
+    const double rounding = kEpsilon * (reach + growth_distance * reach);
+    if constexpr (sizeof(S) == 8) {
+      primal = (is_curved ? 1e-10 : 1e-12) * size + kUnits * rounding;
+    } else {
+      primal = kFloatInfeasibilityUnits * rounding;
+    }
+    dual = kUnits * kEpsilon + (std::abs(along) <= kUnits * kEpsilon * reach ? 1 : 0);
+    separation = kSeparationUnits * kEpsilon * (reach + distance);
+    // A set moved by e is within the one scaled by 1 + e / inradius, and so is the growth distance.
+    const double inradii = pair.Inradii();
+    answer = gap + kFloatInfeasibilityUnits * kEpsilon * extent / inradii;
+    answer_floor = kFloatInfeasibilityUnits * kEpsilon * reach / inradii;
+  }
+};
+
+}  // namespace dgd_soak

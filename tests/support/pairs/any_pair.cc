@@ -1,0 +1,103 @@
+#include "support/pairs/any_pair.h"
+
+#include <algorithm>
+
+#include "support/pairs/make_set.h"
+
+namespace dgd_test {
+namespace {
+
+template <class S, int L>
+dgd::Pose<S, L> PoseFrom(const PoseNumbers& pose) {
+  return {pose.rotation.topLeftCorner<L, L>().template cast<S>(), pose.translation.head<L>().template cast<S>()};
+}
+
+template <class Set>
+double Extent(const Set& set) {
+  constexpr int L = dgd::kDimension<typename Set::Core>;
+  dgd::Vector<double, L> diagonal;
+  for (int axis = 0; axis < L; ++axis) {
+    const auto up = dgd::VectorOf<typename Set::Core>::Unit(axis);
+    diagonal[axis] = double(set.core.Support(up).point[axis] - set.core.Support(-up).point[axis]);
+  }
+  return diagonal.norm() + 2 * double(set.radius);
+}
+
+}  // namespace
+
+template <class S, int L>
+AnyPair<S, L>::AnyPair(const PairNumbers& numbers)
+    : set_1_(MakeSet<S, L>(numbers.set_1)), set_2_(MakeSet<S, L>(numbers.set_2)) {
+  MoveTo(numbers.pose_1, numbers.pose_2);
+}
+
+template <class S, int L>
+void AnyPair<S, L>::MoveTo(const PoseNumbers& pose_1, const PoseNumbers& pose_2) {
+  pose_1_ = PoseFrom<S, L>(pose_1);
+  pose_2_ = PoseFrom<S, L>(pose_2);
+}
+
+template <class S, int L>
+dgd::Result<S, L> AnyPair<S, L>::GrowthDistance(const dgd::Settings<S>& settings, dgd::WarmStart<S, L>* warm_start,
+                                                const Observer& observer) const {
+  const auto tell = [&observer](const dgd::Iterate<S, L>& iterate) {
+    if (observer) observer(iterate);
+  };
+  return std::visit(
+      [&](const auto& a, const auto& b) {
+        return dgd::GrowthDistance(a, pose_1_, b, pose_2_, settings, warm_start, tell);
+      },
+      set_1_, set_2_);
+}
+
+template <class S, int L>
+dgd::CollisionResult<S, L> AnyPair<S, L>::DetectCollision(const dgd::Settings<S>& settings,
+                                                          dgd::WarmStart<S, L>* warm_start) const {
+  return std::visit(
+      [&](const auto& a, const auto& b) { return dgd::DetectCollision(a, pose_1_, b, pose_2_, settings, warm_start); },
+      set_1_, set_2_);
+}
+
+template <class S, int L>
+dgd::Certificate AnyPair<S, L>::Certify(const dgd::Result<S, L>& result) const {
+  return std::visit([&](const auto& a, const auto& b) { return dgd::Certify(a, pose_1_, b, pose_2_, result); }, set_1_,
+                    set_2_);
+}
+
+template <class S, int L>
+auto AnyPair<S, L>::SupportFromCenter(Which which, const Point& direction) const -> Point {
+  const dgd::SquareMatrix<double, L> rotation = PoseOf(which).rotation.template cast<double>();
+  const Point local_direction = rotation.transpose() * direction;
+  return std::visit(
+      [&](const auto& set) -> Point {
+        const dgd::Vector<S, L> offset = set.core.Support(local_direction.template cast<S>()).point - set.core.Center();
+        return rotation * offset.template cast<double>() + double(set.radius) * direction;
+      },
+      SetOf(which));
+}
+
+template <class S, int L>
+auto AnyPair<S, L>::Center(Which which) const -> Point {
+  const dgd::Vector<S, L> center = std::visit([](const auto& set) { return set.core.Center(); }, SetOf(which));
+  return PoseOf(which).rotation.template cast<double>() * center.template cast<double>() +
+         PoseOf(which).translation.template cast<double>();
+}
+
+template <class S, int L>
+double AnyPair<S, L>::Inradii() const {
+  const auto inradius = [](const auto& set) { return double(set.core.Inradius()) + double(set.radius); };
+  return std::visit(inradius, set_1_) + std::visit(inradius, set_2_);
+}
+
+template <class S, int L>
+double AnyPair<S, L>::Extent() const {
+  const auto extent = [](const auto& set) { return dgd_test::Extent(set); };
+  return std::max(std::visit(extent, set_1_), std::visit(extent, set_2_));
+}
+
+template class AnyPair<double, 3>;
+template class AnyPair<float, 3>;
+template class AnyPair<double, 2>;
+template class AnyPair<float, 2>;
+
+}  // namespace dgd_test

@@ -1,0 +1,52 @@
+// Two sets of any types and their poses behind one interface.
+#pragma once
+
+#include <functional>
+#include <variant>
+
+#include "dgd/certificate.h"
+#include "dgd/growth_distance.h"
+#include "support/pairs/erased_core.h"
+#include "support/pairs/set_numbers.h"
+
+namespace dgd_test {
+
+enum class Which { kFirst, kSecond };
+
+template <class S, int L>
+class AnyPair {
+ public:
+  using Point = dgd::Vector<double, L>;
+  using Observer = std::function<void(const dgd::Iterate<S, L>&)>;
+  using Set = std::variant<dgd::RoundedSet<ErasedVertexCore<S, L>>, dgd::RoundedSet<ErasedSmoothCore<S, L>>>;
+
+  /// The pair that the numbers say, both of dimension L. Throws std::invalid_argument otherwise.
+  explicit AnyPair(const PairNumbers& numbers);
+
+  void MoveTo(const PoseNumbers& pose_1, const PoseNumbers& pose_2);
+
+  /// @param observer  May be empty: then it costs a comparison in each iteration.
+  dgd::Result<S, L> GrowthDistance(const dgd::Settings<S>& settings, dgd::WarmStart<S, L>* warm_start = nullptr,
+                                   const Observer& observer = {}) const;
+  dgd::CollisionResult<S, L> DetectCollision(const dgd::Settings<S>& settings,
+                                             dgd::WarmStart<S, L>* warm_start = nullptr) const;
+  dgd::Certificate Certify(const dgd::Result<S, L>& result) const;
+
+  /// A farthest point of the set along a unit vector, in the world, from the set's centre.
+  Point SupportFromCenter(Which which, const Point& direction) const;
+  /// Of the core, in the world.
+  Point Center(Which which) const;
+  /// Of the two sets' inradii, metres.
+  double Inradii() const;
+  /// The longer diagonal of the two sets' bounding boxes in their own frames, metres.
+  double Extent() const;
+
+ private:
+  const Set& SetOf(Which which) const { return which == Which::kFirst ? set_1_ : set_2_; }
+  const dgd::Pose<S, L>& PoseOf(Which which) const { return which == Which::kFirst ? pose_1_ : pose_2_; }
+
+  Set set_1_, set_2_;
+  dgd::Pose<S, L> pose_1_, pose_2_;
+};
+
+}  // namespace dgd_test

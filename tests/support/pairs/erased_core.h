@@ -1,0 +1,137 @@
+// Cores of any type behind two names, one for polytopes and one for curved cores, so that the solver is instantiated
+// for pairs of these instead of for every pair of types, which would take minutes to compile. A virtual call hands each
+// question on to the core itself, so that the answers are the same to the last digit.
+#pragma once
+
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+#include "dgd/convex_set.h"
+
+namespace dgd_test {
+
+/// All that the solver and the certificate may ask of a core. Features are vertices or pieces.
+template <class S, int L>
+class CoreQuestions {
+ public:
+  using Point = dgd::Vector<S, L>;
+
+  virtual ~CoreQuestions() = default;
+  virtual dgd::SupportPoint<S, L> Support(const Point& direction, dgd::FeatureId hint) const = 0;
+  virtual Point Center() const = 0;
+  virtual S Inradius() const = 0;
+  virtual dgd::FeatureId FeatureCount() const = 0;
+  virtual dgd::CurvedPoint<S, L> FeatureSupport(dgd::FeatureId feature, const Point& direction) const = 0;
+  virtual Point FaceNormal(dgd::FeatureId piece) const = 0;
+  virtual S SupportValue(const Point& direction) const = 0;
+  virtual S Distance(const Point& point) const = 0;
+
+ protected:
+  CoreQuestions() = default;
+  CoreQuestions(const CoreQuestions&) = default;
+  CoreQuestions& operator=(const CoreQuestions&) = default;
+};
+
+template <class Core>
+class CoreAnswers final : public CoreQuestions<typename Core::Scalar, dgd::kDimension<Core>> {
+ public:
+  using S = typename Core::Scalar;
+  static constexpr int L = dgd::kDimension<Core>;
+  using Point = dgd::Vector<S, L>;
+
+  explicit CoreAnswers(Core core) : core_(std::move(core)) {}
+
+  dgd::SupportPoint<S, L> Support(const Point& direction, [[maybe_unused]] dgd::FeatureId hint) const override {
+    if constexpr (dgd::HintedCore<Core>) {
+      return core_.Support(direction, hint);
+    } else {
+      return core_.Support(direction);
+    }
+  }
+  Point Center() const override { return core_.Center(); }
+  S Inradius() const override { return core_.Inradius(); }
+  dgd::FeatureId FeatureCount() const override {
+    if constexpr (dgd::SmoothCore<Core>) {
+      return core_.PieceCount();
+    } else {
+      return core_.VertexCount();
+    }
+  }
+  dgd::CurvedPoint<S, L> FeatureSupport(dgd::FeatureId feature, const Point& direction) const override {
+    if constexpr (dgd::SmoothCore<Core>) {
+      return core_.PieceSupport(feature, direction);
+    } else {
+      return {core_.Vertex(feature), dgd::SquareMatrix<S, L>::Zero()};
+    }
+  }
+  Point FaceNormal([[maybe_unused]] dgd::FeatureId piece) const override {
+    if constexpr (dgd::FacedCore<Core>) return core_.FaceNormal(piece);
+    return Point::Zero();
+  }
+  S SupportValue(const Point& direction) const override { return core_.SupportValue(direction); }
+  S Distance(const Point& point) const override { return core_.Distance(point); }
+
+ private:
+  Core core_;
+};
+
+/// What both names have in common.
+template <class ScalarType, int L>
+class ErasedCore {
+ public:
+  using Scalar = ScalarType;
+  using Point = dgd::Vector<Scalar, L>;
+
+  explicit ErasedCore(std::shared_ptr<const CoreQuestions<Scalar, L>> core) : core_(std::move(core)) {}
+
+  dgd::SupportPoint<Scalar, L> Support(const Point& direction) const {
+    return core_->Support(direction, dgd::kNoFeature);
+  }
+  dgd::SupportPoint<Scalar, L> Support(const Point& direction, dgd::FeatureId hint) const {
+    return core_->Support(direction, hint);
+  }
+  Point Center() const { return core_->Center(); }
+  Scalar Inradius() const { return core_->Inradius(); }
+  Scalar SupportValue(const Point& direction) const { return core_->SupportValue(direction); }
+  Scalar Distance(const Point& point) const { return core_->Distance(point); }
+
+ protected:
+  const CoreQuestions<Scalar, L>& Core() const { return *core_; }
+
+ private:
+  std::shared_ptr<const CoreQuestions<Scalar, L>> core_;
+};
+
+template <class S, int L>
+class ErasedVertexCore : public ErasedCore<S, L> {
+ public:
+  using ErasedCore<S, L>::ErasedCore;
+
+  dgd::Vector<S, L> Vertex(dgd::VertexId vertex) const {
+    return this->Core().FeatureSupport(vertex, dgd::Vector<S, L>::Zero()).point;
+  }
+  dgd::VertexId VertexCount() const { return this->Core().FeatureCount(); }
+};
+
+template <class S, int L>
+class ErasedSmoothCore : public ErasedCore<S, L> {
+ public:
+  using ErasedCore<S, L>::ErasedCore;
+
+  dgd::CurvedPoint<S, L> PieceSupport(dgd::FeatureId piece, const dgd::Vector<S, L>& direction) const {
+    return this->Core().FeatureSupport(piece, direction);
+  }
+  dgd::FeatureId PieceCount() const { return this->Core().FeatureCount(); }
+  dgd::Vector<S, L> FaceNormal(dgd::FeatureId piece) const { return this->Core().FaceNormal(piece); }
+};
+
+template <class Core>
+auto Erase(Core core) {
+  using S = typename Core::Scalar;
+  constexpr int L = dgd::kDimension<Core>;
+  using Erased = std::conditional_t<dgd::SmoothCore<Core>, ErasedSmoothCore<S, L>, ErasedVertexCore<S, L>>;
+  return Erased(std::make_shared<CoreAnswers<Core>>(std::move(core)));
+}
+
+}  // namespace dgd_test
