@@ -1,14 +1,13 @@
 // polytope_drop: a scene in Bullet, on one narrowphase or the other or both, measured and drawn. See --help.
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
-#include <iostream>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "options.h"
+#include "program_main.h"
 #include "report/comparison_table.h"
 #include "report/pictures.h"
 #include "report/progress_bar.h"
@@ -77,12 +76,5 @@ ExitStatus Run(const Options& options) {
 }  // namespace dgd_demos
 
 int main(int argc, char** argv) {
-  const auto parsed = dgd_demos::ParseCommandLine(argc, argv);
-  if (const auto* status = std::get_if<dgd_demos::ExitStatus>(&parsed)) return *status;
-  try {
-    return dgd_demos::Run(std::get<dgd_demos::Options>(parsed));
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return dgd_demos::kBadInput;
-  }
+  return dgd_demos::RunProgram(dgd_demos::ParseCommandLine(argc, argv), dgd_demos::Run);
 }

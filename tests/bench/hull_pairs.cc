@@ -1,16 +1,14 @@
 // hull_pairs: the growth distance against Bullet's GJK/EPA, pair by pair of random hulls. See --help.
 #include <cstdio>
-#include <exception>
-#include <iostream>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "bench/bench_options.h"
 #include "bench/benchmark_csv.h"
 #include "bench/benchmark_table.h"
 #include "bench/measurement.h"
+#include "program_main.h"
 #include "report/progress_bar.h"
 
 namespace dgd_bench {
@@ -74,12 +72,5 @@ ExitStatus Run(const BenchOptions& options) {
 }  // namespace dgd_bench
 
 int main(int argc, char** argv) {
-  const auto parsed = dgd_bench::ParseCommandLine(argc, argv);
-  if (const auto* status = std::get_if<dgd_bench::ExitStatus>(&parsed)) return *status;
-  try {
-    return dgd_bench::Run(std::get<dgd_bench::BenchOptions>(parsed));
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return dgd_bench::kBadInput;
-  }
+  return dgd_demos::RunProgram(dgd_bench::ParseCommandLine(argc, argv), dgd_bench::Run);
 }

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
+#include "scene/mesh_file.h"
 #include "support/pairs/random_pair.h"
 
 namespace dgd_bench {
@@ -82,23 +81,6 @@ PairNumbers DrawOf(Random& random, const std::array<SetType, count>& types) {
   return PairOf(std::move(set_1), draw());
 }
 
-std::vector<Vector3d> ReadObjVertices(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  std::vector<Vector3d> vertices;
-  for (std::string line; std::getline(in, line);) {
-    std::istringstream words(line);
-    std::string key;
-    Vector3d vertex;
-    if (!(words >> key) || key != "v") continue;
-    if (!(words >> vertex.x() >> vertex.y() >> vertex.z())) {
-      throw std::runtime_error(file.string() + ": not a vertex: " + line);
-    }
-    vertices.push_back(vertex);
-  }
-  if (vertices.empty()) throw std::runtime_error(file.string() + ": no vertices");
-  return vertices;
-}
-
 }  // namespace
 
 Meshes EllipsoidMeshes(Random& random) {
@@ -120,7 +102,7 @@ Meshes ReadMeshes(const std::filesystem::path& folder) {
   if (files.empty()) throw std::runtime_error(folder.string() + ": no .obj files");
   std::ranges::sort(files);
   Meshes meshes;
-  for (const auto& file : files) meshes.push_back(ReadObjVertices(file));
+  for (const auto& file : files) meshes.push_back(dgd_demos::LoadConvexMesh(file, 1).vertices);
   return meshes;
 }
 

@@ -16,7 +16,7 @@ using Meshes = std::vector<std::vector<Eigen::Vector3d>>;
 /// Points on an ellipsoid ten times longer than thick, from 241 to 4516 of them.
 Meshes EllipsoidMeshes(dgd_test::Random& random);
 
-/// The vertices of all .obj files in the folder and below, in the order of their names.
+/// The hulls' vertices of all .obj files in the folder and below, in the order of their names; files in metres.
 /// Throws std::runtime_error, naming the file, if one cannot be read, or there is none.
 Meshes ReadMeshes(const std::filesystem::path& folder);
 

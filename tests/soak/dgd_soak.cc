@@ -1,10 +1,9 @@
 // dgd_soak: random pairs of sets of all types for as long as one likes, every answer checked. See --help.
 #include <csignal>
 #include <cstdio>
-#include <exception>
 #include <iostream>
-#include <variant>
 
+#include "program_main.h"
 #include "soak/soak_options.h"
 #include "soak/soak_report.h"
 #include "soak/soak_run.h"
@@ -47,13 +46,6 @@ ExitStatus Run(const SoakOptions& options) {
 }  // namespace dgd_soak
 
 int main(int argc, char** argv) {
-  const auto parsed = dgd_soak::ParseCommandLine(argc, argv);
-  if (const auto* status = std::get_if<dgd_soak::ExitStatus>(&parsed)) return *status;
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { dgd_soak::RequestStop(); });
-  try {
-    return dgd_soak::Run(std::get<dgd_soak::SoakOptions>(parsed));
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return dgd_soak::kBadInput;
-  }
+  return dgd_demos::RunProgram(dgd_soak::ParseCommandLine(argc, argv), dgd_soak::Run);
 }

@@ -44,12 +44,13 @@ struct Settings {
   bool rounding = true;      ///< Radii kept apart from the cores (ray/inner_approximation.h).
 };
 
-/// What an observer of a query is told after each iteration: the bounds of Result so far, for convergence plots.
+/// What an observer of a query is told after each iteration: the bounds of Result so far, which only approach each
+/// other, for convergence plots.
 template <class S, int L>
 struct Iterate {
-  int iteration;
-  S lower_bound, upper_bound;
-  Vector<S, L> normal;
+  int iteration;               ///< From 1.
+  S lower_bound, upper_bound;  ///< On the growth distance.
+  Vector<S, L> normal;         ///< Of the lowest supporting plane so far: world frame, unit length.
 };
 
 /// Costs nothing.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace dgd {
@@ -45,13 +46,16 @@ TEST(FacetExit, CornersNearlyOnALineThroughTheRay_ExitIsOnTheRay) {
   EXPECT_LT(exit.height, 0.2135);
 }
 
-TEST(FacetExit, OppositeCornersAndOneOnTheirLine_WeightsAreConvex) {
+// The opposite one's weight is near 1/3, the others' have no digits: the sum was 1.04.
+TEST(WeighSliver, OppositeCornersOnALineThroughTheRay_WeightsSumToOne) {
   const Corners corners = {Point(-0.036504928341484978, -0.25180261400794662, 1.1665941669467614),
                            Point(-0.067888716359463155, -0.46828077790061956, 1.1116410036454749),
                            Point(0.036504928341484534, 0.2518026140079464, 1.3046198955692356)};
-  FeatureExit<double, 3> exit;
-  // It may say that the ray passes by; if not, it must be right.
-  if (SliverExit<double>(corners[0], corners[1], corners[2], 0, kCornerError, exit)) ExpectPointOfRay(corners, exit);
+  const ray_internal::SliverNormal<double> normal(corners[0], corners[1], corners[2]);
+  std::array<double, 3> weights{};
+  ASSERT_TRUE(
+      ray_internal::WeighSliver(corners[0], corners[1], corners[2], std::abs(normal.cross.z()), kCornerError, weights));
+  EXPECT_NEAR(weights[0] + weights[1] + weights[2], 1, 1e-15);
 }
 
 TEST(SliverExit, CornerOnTheRayButForRounding_HoldsItWithinTheCornersError) {

@@ -20,22 +20,22 @@ template <class Difference>
 class FlatFace {
  public:
   using S = typename Difference::S;
-  static constexpr int L = Difference::L;
-  using Point = Vector<S, L>;
-  using Feature = DifferencePoint<S, L>;
+  using Point = typename Difference::Point;
+  using Feature = typename Difference::Feature;
+  static_assert(Difference::L == 3, "in the plane no face is a disc");
 
   /// @param normal  Of the face, ray frame, unit length or zero.
   FlatFace(const Difference& difference, const Feature& features, const Point& normal)
       : difference_(difference), features_(features), normal_(normal) {}
 
   /// If the ray leaves C through the disc, gives three points of it around the ray.
-  bool HoldsRay(std::array<Feature, L>& corners) const {
-    if (!(normal_[L - 1] > kSteep<S>)) return false;
-    const SquareMatrix<S, L> frame = FrameAlong<S>(normal_);
+  bool HoldsRay(std::array<Feature, 3>& corners) const {
+    if (!(normal_.z() > kSteep<S>)) return false;
+    const Matrix3<S> frame = FrameAlong<S>(normal_);
     corners = PointsAround(frame.col(0));
     const Point center = (corners[0].point + corners[1].point + corners[2].point) / S(3);
     const S rounding = difference_.Rounding();
-    const Point on_ray = (normal_.dot(center) + rounding) / normal_[L - 1] * Point::Unit(L - 1);
+    const Point on_ray = (normal_.dot(center) + rounding) / normal_.z() * Point::UnitZ();
     Point to_ray = on_ray - rounding * normal_ - center;
     to_ray -= to_ray.dot(normal_) * normal_;
     const S distance = to_ray.norm();
@@ -49,10 +49,10 @@ class FlatFace {
   /// for the direction around the rim to keep half its digits.
   static constexpr S kTilt = kSqrtEpsilon<S>;
 
-  std::array<Feature, L> PointsAround(const Point& first) const {
+  std::array<Feature, 3> PointsAround(const Point& first) const {
     const Point second = normal_.cross(first);
-    std::array<Feature, L> points;
-    constexpr S kSine = S(0.86602540378443865);
+    std::array<Feature, 3> points;
+    constexpr S kSine = ray_internal::kSineOfThirdTurn<S>;
     points[0] = At(first);
     points[1] = At(S(-0.5) * first + kSine * second);
     points[2] = At(S(-0.5) * first - kSine * second);
@@ -71,14 +71,14 @@ class FlatFace {
 /// @return whether there is such a face, with its normal.
 template <class Difference>
 [[gnu::cold, gnu::noinline]] bool FindFlatFace(const Difference& difference,
-                                               const DifferencePoint<typename Difference::S, Difference::L>& features,
-                                               InnerApproximation<typename Difference::S, Difference::L>& inner,
-                                               Vector<typename Difference::S, Difference::L>& normal) {
-  std::array<DifferencePoint<typename Difference::S, Difference::L>, Difference::L> corners;
+                                               const typename Difference::Feature& features,
+                                               InnerApproximation<typename Difference::S>& inner,
+                                               typename Difference::Point& normal) {
+  std::array<typename Difference::Feature, 3> corners;
   for (const bool of_first : {true, false}) {
     normal = of_first ? difference.FaceNormal1(features.feature_1) : difference.FaceNormal2(features.feature_2);
     if (FlatFace<Difference>(difference, features, normal).HoldsRay(corners)) {
-      inner.AdoptBasis(corners, Difference::L);
+      inner.AdoptBasis(corners, 3);
       return true;
     }
   }

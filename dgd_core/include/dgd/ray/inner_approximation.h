@@ -39,6 +39,12 @@
 
 namespace dgd {
 
+namespace ray_internal {
+/// Of 120 degrees; the cosine is -1/2.
+template <class S>
+inline constexpr S kSineOfThirdTurn = S(0.86602540378443865);
+}  // namespace ray_internal
+
 template <class S, int L = 3>
 class InnerApproximation {
  public:
@@ -57,9 +63,9 @@ class InnerApproximation {
   /// Starts with a facet in the ball of `inradius` inside C (paper, eq. inner-approximation-initialization), for
   /// sets without rounding. Set 1 contributes `share_1` of each point.
   static InnerApproximation FromInradius(S inradius, S share_1) {
-    // The ray crosses the facet's middle half way up the ball.
+    // The ray crosses the facet's middle half way up the ball, and its corners are on the ball.
+    constexpr S kSine = ray_internal::kSineOfThirdTurn<S>;
     const S height = inradius / 2;
-    constexpr S kSine = S(0.86602540378443865);
     const S lateral = kSine * inradius;
     InnerApproximation approximation;
     approximation.size_ = L;
@@ -119,6 +125,25 @@ class InnerApproximation {
  private:
   struct Candidate : ray_internal::FeatureExit<S, L> {
     std::array<int, L - 1> kept{};  // Which basis points its feature has; the added point comes last.
+  };
+
+  /// The best facet so far of those that the ray may cross, without a radius.
+  struct SharpChoice {
+    Candidate best;
+    bool best_is_outside = false;
+
+    /// @return whether the candidate is as good as any other can be.
+    bool Take(const Candidate& candidate, bool is_outside) {
+      const S slope = candidate.normal[L - 1];
+      const bool is_better = is_outside != best_is_outside ? is_outside
+                             : is_outside                  ? slope > best.normal[L - 1]
+                                                           : candidate.height > best.height;
+      if (best.size == 0 || is_better) {
+        best = candidate;
+        best_is_outside = is_outside;
+      }
+      return is_outside && slope > kSteep<S>;
+    }
   };
 
   /// Steep features magnify the rounding of their points to heights that are off by less than this part.
@@ -225,24 +250,6 @@ class InnerApproximation {
     if constexpr (L == 3) ChooseBorderFacet(added, choice);
     return choice.best.size > 0 && Replace(choice.best, added);
   }
-
-  struct SharpChoice {
-    Candidate best;
-    bool best_is_outside = false;
-
-    /// @return whether the candidate is as good as any other can be.
-    bool Take(const Candidate& candidate, bool is_outside) {
-      const S slope = candidate.normal[L - 1];
-      const bool is_better = is_outside != best_is_outside ? is_outside
-                             : is_outside                  ? slope > best.normal[L - 1]
-                                                           : candidate.height > best.height;
-      if (best.size == 0 || is_better) {
-        best = candidate;
-        best_is_outside = is_outside;
-      }
-      return is_outside && slope > kSteep<S>;
-    }
-  };
 
   bool IsOutside(const Candidate& candidate, int dropped, const DifferencePoint<S, L>& added) const {
     return candidate.normal.dot(PointOf(dropped) - added.point) <= 0;

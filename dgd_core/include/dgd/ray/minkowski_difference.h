@@ -65,6 +65,7 @@ class MinkowskiDifference {
   static constexpr int L = kDimension<typename Set1::Core>;
   using Point = Vector<S, L>;
   using Matrix = SquareMatrix<S, L>;
+  using Feature = DifferencePoint<S, L>;
   static_assert(std::is_same_v<S, typename Set2::Scalar>, "both sets must have the same scalar");
   static_assert(L == kDimension<typename Set2::Core>, "both sets must have the same dimension");
 

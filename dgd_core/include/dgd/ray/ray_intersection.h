@@ -69,7 +69,7 @@ class RayIntersection {
   }
 
  private:
-  using Feature = DifferencePoint<S, L>;
+  using Feature = typename Difference::Feature;
 
   /// With p = 0 the growth distance is 0 and every direction is a normal: take the last one, or x.
   Status MeasureAlongAnyNormal(const WarmStart<S, L>* warm_start) {

@@ -11,11 +11,6 @@
 
 namespace dgd {
 
-template <class S, int L>
-bool AreOfSameFeatures(const DifferencePoint<S, L>& a, const DifferencePoint<S, L>& b) {
-  return a.feature_1 == b.feature_1 && a.feature_2 == b.feature_2;
-}
-
 /// Remembers the features of the last support points. A step starts from the best normal so far, after the bounds have
 /// drawn nearer or a new piece has come up; it is not taken if its model promises what the inner approximation already
 /// excludes. Measured on the paper's curved primitives, tests/bench/iterations.
@@ -24,16 +19,17 @@ class SecondOrderSearch {
  public:
   using S = typename Difference::S;
   static constexpr int L = Difference::L;
-  using Point = Vector<S, L>;
+  using Point = typename Difference::Point;
+  using Feature = typename Difference::Feature;
 
   /// @param support      Of the last direction.
   /// @param best_normal  Of the lowest supporting plane, which meets the ray at `outer_height`.
   /// @param last_gap     Of the two heights, before that direction was searched.
   /// @param inner        Takes what the pieces give along the way.
   /// @return whether there is a step, to `next`. Not inlined: it is long, and there are many pairs of types.
-  [[gnu::noinline]] bool Next(const Difference& difference, const DifferencePoint<S, L>& support,
-                              const Point& best_normal, S outer_height, S last_outer_height, S last_gap,
-                              InnerApproximation<S, L>& inner, Point& next) {
+  [[gnu::noinline]] bool Next(const Difference& difference, const Feature& support, const Point& best_normal,
+                              S outer_height, S last_outer_height, S last_gap, InnerApproximation<S, L>& inner,
+                              Point& next) {
     const bool is_new = Remember(support);
     const bool is_lower = outer_height < last_outer_height;
     const bool is_good = outer_height - inner.Height() <= kProgress * last_gap;
@@ -47,28 +43,32 @@ class SecondOrderSearch {
   }
 
  private:
+  /// A step that leaves more of the gap is followed by a cutting plane.
+  static constexpr S kProgress = S(0.9);
+  /// Steps after which new pieces alone are no reason to try again.
+  static constexpr int kMaxFailures = 3;
+  /// Bounds what a query spends on faces that the ray does not leave through.
+  static constexpr int kMaxFaceTries = 3;
+  /// How far below the inner approximation a model's minimum may lie, as a part of the gap.
+  static constexpr S kUndershoot = S(0.1);
+
+  static bool AreOfSameFeatures(const Feature& a, const Feature& b) {
+    return a.feature_1 == b.feature_1 && a.feature_2 == b.feature_2;
+  }
+
   /// Not twice in a row for the same features, which may not be the highest ones along the face's normal.
-  bool TryFace(const Difference& difference, const DifferencePoint<S, L>& support, InnerApproximation<S, L>& inner,
-               Point& next) {
+  bool TryFace(const Difference& difference, const Feature& support, InnerApproximation<S, L>& inner, Point& next) {
     if (face_tries_ == kMaxFaceTries || AreOfSameFeatures(support, last_face_)) return false;
     last_face_ = support;
     ++face_tries_;
     return FindFlatFace(difference, support, inner, next);
   }
 
-  /// A step that leaves more of the gap is followed by a cutting plane.
-  static constexpr S kProgress = S(0.9);
-  /// Steps after which new pieces alone are no reason to try again.
-  static constexpr int kMaxFailures = 3;
-  static constexpr int kMaxFaceTries = 3;
-  /// How far below the inner approximation a model's minimum may lie, as a part of the gap.
-  static constexpr S kUndershoot = S(0.1);
-
   /// @return whether the features are new; they are the first of the pieces then.
-  bool Remember(const DifferencePoint<S, L>& support) {
+  bool Remember(const Feature& support) {
     const auto end = pieces_.begin() + count_;
-    const auto found = std::find_if(
-        pieces_.begin(), end, [&](const DifferencePoint<S, L>& piece) { return AreOfSameFeatures(piece, support); });
+    const auto found =
+        std::find_if(pieces_.begin(), end, [&](const Feature& piece) { return AreOfSameFeatures(piece, support); });
     if (found != end) {
       std::rotate(pieces_.begin(), found, found + 1);
       return false;
@@ -85,7 +85,7 @@ class SecondOrderSearch {
             Point& next) {
     SecondOrderStep<S, L> step(normal);
     for (int i = 0; i < count_; ++i) {
-      DifferencePoint<S, L>& piece = pieces_[static_cast<std::size_t>(i)];
+      Feature& piece = pieces_[static_cast<std::size_t>(i)];
       const CurvedDifferencePoint<S, L> moved = difference.FromFeatures(piece.feature_1, piece.feature_2, normal);
       if (!moved.derivative.allFinite()) return false;
       step.Add(moved, difference.Rounding());
@@ -101,8 +101,8 @@ class SecondOrderSearch {
     return true;
   }
 
-  std::array<DifferencePoint<S, L>, SecondOrderStep<S, L>::kMaxPieces> pieces_;  // The newest first.
-  DifferencePoint<S, L> last_face_;  // The last features whose flat faces were tried.
+  std::array<Feature, SecondOrderStep<S, L>::kMaxPieces> pieces_;  // The newest first.
+  Feature last_face_;                                              // The last features whose flat faces were tried.
   int face_tries_ = 0;
   int count_ = 0;
   int failures_ = 0;  // Steps and cutting planes since the last progress.
