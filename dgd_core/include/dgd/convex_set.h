@@ -16,8 +16,10 @@
 
 namespace dgd {
 
-/// 3 or 2: the dimension of the space that a core lives in.
+/// 3 or 2: the dimension of the space that a core lives in. Constrained, so that what has no centre is no ConvexCore
+/// rather than an error: `RoundedSet ball = Sphere(1.0)` asks that of a set.
 template <class Core>
+requires requires(const Core& core) { core.Center(); }
 inline constexpr int kDimension =
     std::remove_cvref_t<decltype(std::declval<const Core&>().Center())>::RowsAtCompileTime;
 

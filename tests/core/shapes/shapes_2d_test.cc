@@ -45,6 +45,14 @@ TEST(RoundedShapes, AreACoreAndARadius) {
   EXPECT_EQ(dgd::Stadium(0.5, 2.0).core.Vertex(1), Vector2d(0, -2));
 }
 
+// A name without arguments takes its type from a set as from a core.
+TEST(RoundedShapes, InitialiseASetWhoseTypeIsDeduced) {
+  const dgd::RoundedSet sphere = dgd::Sphere(0.5);
+  EXPECT_EQ(sphere.radius, 0.5);
+  static_assert(!dgd::ConvexCore<decltype(sphere)>);
+  static_assert(!dgd::ConvexCore<int>);
+}
+
 TEST(RoundedShapes, RejectBadSizesNamingThem) {
   ExpectRejected([] { return dgd::Sphere(0.0); }, "sphere radius must be finite and > 0, in metres; got 0.0");
   ExpectRejected([] { return dgd::Sphere(std::numeric_limits<double>::quiet_NaN()); }, "nan");

@@ -1,0 +1,218 @@
+// The README's section "Use the core alone": its snippets, word for word, and what they should give.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "dgd/certificate.h"
+#include "dgd/growth_distance.h"
+#include "dgd/half_space_distance.h"
+#include "dgd/shapes.h"
+
+// The upper half of a ball, its flat side in the plane z = 0.
+class Dome {
+ public:
+  using Scalar = double;
+  explicit Dome(double radius) : radius_(radius) {}
+
+  dgd::SupportPoint<double> Support(const Eigen::Vector3d& direction) const {
+    if (direction.z() >= 0) return {radius_ * direction.normalized()};
+    const Eigen::Vector3d lateral(direction.x(), direction.y(), 0);
+    return {radius_ * lateral.normalized()};  // The disc's centre for direction -z: normalized() leaves a zero.
+  }
+  Eigen::Vector3d Center() const { return {0, 0, 0.375 * radius_}; }
+  double Inradius() const { return 0.375 * radius_; }
+
+ private:
+  double radius_;
+};
+static_assert(dgd::ConvexCore<Dome>);
+
+class Tetrahedron {
+ public:
+  using Scalar = double;
+
+  dgd::SupportPoint<double> Support(const Eigen::Vector3d& direction) const {
+    dgd::VertexId best = 0;
+    for (dgd::VertexId i = 1; i < 4; ++i) {
+      if (direction.dot(vertices_[i]) > direction.dot(vertices_[best])) best = i;
+    }
+    return {vertices_[best], best};
+  }
+  Eigen::Vector3d Center() const { return Eigen::Vector3d::Zero(); }
+  double Inradius() const { return 0.577; }  // 1 / sqrt(3), rounded down.
+  Eigen::Vector3d Vertex(dgd::VertexId i) const { return vertices_[i]; }
+  dgd::VertexId VertexCount() const { return 4; }
+
+ private:
+  std::array<Eigen::Vector3d, 4> vertices_{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}};
+};
+static_assert(dgd::VertexCore<Tetrahedron>);
+
+namespace {
+
+TEST(ReadmeCore, Gradient_IsTheDifferenceQuotient) {
+  const dgd::RoundedSet set_1{dgd::Cone<double>(0.5, 1)};
+  const dgd::RoundedSet set_2{dgd::Ellipsoid<double>({0.2, 0.3, 0.4})};
+  const dgd::Pose<double> pose_1;
+  dgd::Pose<double> pose_2;
+  pose_2.translation = {0.4, 0.9, 0.3};
+  const dgd::Result<double> result = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2);
+
+  const Eigen::Vector3d between_centers = pose_2 * set_2.core.Center() - pose_1 * set_1.core.Center();
+  const Eigen::Vector3d gradient = result.normal / (result.normal.dot(between_centers) - result.separation);
+
+  const double step = 1e-4;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto moved = [&](double way) {
+      dgd::Pose<double> pose = pose_2;
+      pose.translation[axis] += way;
+      return dgd::GrowthDistance(set_1, pose_1, set_2, pose, {.relative_tolerance = 1e-12}).GrowthDistance();
+    };
+    EXPECT_NEAR(gradient[axis], (moved(step) - moved(-step)) / (2 * step), 1e-3) << axis;
+  }
+}
+
+TEST(ReadmeCore, Plane_HasItsOwnSetsAndPoses) {
+  const dgd::RoundedSet robot{dgd::Rectangle<double>({0.4, 0.2}), 0.05};
+  const dgd::RoundedSet tree = dgd::Circle(0.3);
+  dgd::Pose<double, 2> robot_pose, tree_pose;
+  robot_pose.rotation = Eigen::Rotation2Dd(std::numbers::pi / 2).toRotationMatrix();
+  tree_pose.translation = {0, 1.5};
+
+  const dgd::Result<double, 2> result = dgd::GrowthDistance(robot, robot_pose, tree, tree_pose);
+  const dgd::CollisionResult<double, 2> check = dgd::DetectCollision(robot, robot_pose, tree, tree_pose);
+
+  EXPECT_EQ(result.status, dgd::Status::kOptimal);
+  EXPECT_NEAR(result.GrowthDistance(), 2, 1e-7);
+  EXPECT_NEAR(result.separation, 0.75, 1e-7);
+  EXPECT_EQ(check.status, dgd::Status::kSeparated);
+}
+
+TEST(ReadmeCore, OwnSet_IsASetAsAnyOther) {
+  const dgd::RoundedSet dome{Dome(1), 0.1};
+  dgd::Pose<double> pose;
+  pose.translation = {0, 0, 3};
+  const auto result = dgd::GrowthDistance(dome, dgd::Pose<double>(), dgd::Sphere(0.5), pose);
+
+  // From the centre at 0.375 up: the dome reaches 0.625 + 0.1, the sphere 0.5.
+  EXPECT_EQ(result.status, dgd::Status::kOptimal);
+  EXPECT_NEAR(result.GrowthDistance(), 2.625 / 1.225, 1e-7);
+  EXPECT_NEAR(result.separation, 1.4, 1e-7);
+  pose.translation.z() = -2;
+  const auto below = dgd::GrowthDistance(dome, dgd::Pose<double>(), dgd::Sphere(0.5), pose);
+  EXPECT_NEAR(below.GrowthDistance(), 2.375 / 0.975, 1e-7);
+}
+
+TEST(ReadmeCore, OwnVertices_AreFoundAgainByTheWarmStart) {
+  const dgd::RoundedSet tetrahedron{Tetrahedron()};
+  dgd::Pose<double> pose;
+  pose.translation = {3, 3, -3};
+  dgd::WarmStart<double> warm_start;
+  const auto solve = [&] {
+    return dgd::GrowthDistance(tetrahedron, dgd::Pose<double>(), tetrahedron, pose, {}, &warm_start);
+  };
+  const auto cold = solve();
+  // A face, 1 / sqrt(3) from the centre, and a vertex, sqrt(3) from it.
+  EXPECT_NEAR(cold.GrowthDistance(), 9 / 4.0, 1e-12);
+  EXPECT_GT(warm_start.size, 0);
+  EXPECT_LT(solve().iterations, cold.iterations);
+}
+
+TEST(ReadmeCore, HalfSpace_IsTheGround) {
+  const dgd::RoundedSet box{dgd::Box<double>({0.5, 0.5, 0.5})};
+  const dgd::HalfSpace<double> ground;  // z <= 0 in its own frame.
+  dgd::Pose<double> box_pose, ground_pose;
+  box_pose.translation = {0, 0, 2};
+  const dgd::Result<double> result = dgd::GrowthDistance(box, box_pose, ground, ground_pose);
+
+  EXPECT_EQ(result.status, dgd::Status::kOptimal);
+  EXPECT_EQ(result.GrowthDistance(), 4);
+  EXPECT_EQ(result.separation, 1.5);
+}
+
+TEST(ReadmeCore, Observer_PrintsALineForEachIteration) {
+  const dgd::RoundedSet set_1{dgd::Cone<double>(0.5, 1)};
+  const dgd::RoundedSet set_2{dgd::Ellipsoid<double>({0.2, 0.3, 0.4})};
+  const dgd::Pose<double> pose_1;
+  dgd::Pose<double> pose_2;
+  pose_2.translation = {0.4, 0.9, 0.3};
+  testing::internal::CaptureStdout();
+
+  const auto print = [](const dgd::Iterate<double, 3>& iterate) {
+    std::printf("%d,%.17g,%.17g\n", iterate.iteration, iterate.lower_bound, iterate.upper_bound);
+  };
+  const dgd::Result<double> result = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2, {}, nullptr, print);
+
+  std::istringstream printed(testing::internal::GetCapturedStdout());
+  int lines = 0;
+  for (std::string line; std::getline(printed, line);) {
+    ++lines;
+    EXPECT_EQ(line.substr(0, line.find(',')), std::to_string(lines));
+  }
+  EXPECT_EQ(lines, result.iterations);
+}
+
+TEST(ReadmeCore, Certificate_HoldsForTheResult) {
+  const dgd::RoundedSet set_1{dgd::Cone<double>(0.5, 1)};
+  const dgd::RoundedSet set_2{dgd::Ellipsoid<double>({0.2, 0.3, 0.4})};
+  const dgd::Pose<double> pose_1;
+  dgd::Pose<double> pose_2;
+  pose_2.translation = {0.4, 0.9, 0.3};
+  const dgd::Result<double> result = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2);
+
+  const dgd::Certificate certificate = dgd::Certify(set_1, pose_1, set_2, pose_2, result);
+  const bool holds = certificate.Holds(1e-9, 1e-7);  // Metres, and relative.
+
+  EXPECT_TRUE(holds);
+}
+
+/// The lines of a text without the white space around them, empty ones left out.
+std::vector<std::string> LinesOf(const std::string& file) {
+  std::ifstream in(file);
+  EXPECT_TRUE(in.is_open()) << file;
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) {
+    const auto begin = line.find_first_not_of(" \t");
+    if (begin != std::string::npos) lines.push_back(line.substr(begin, line.find_last_not_of(" \t\r") - begin + 1));
+  }
+  return lines;
+}
+
+bool Holds(const std::vector<std::string>& text, const std::vector<std::string>& part) {
+  return std::search(text.begin(), text.end(), part.begin(), part.end()) != text.end();
+}
+
+// So that the README's code is the code that is compiled and tested here.
+TEST(ReadmeCore, Snippets_AreTheseWordForWord) {
+  const std::string folder = DGD_TEST_CORE_FOLDER;
+  const std::vector<std::string> program = LinesOf(folder + "/readme/trajectory.cc");
+  const std::vector<std::string> here = LinesOf(folder + "/readme_core_test.cc");
+  bool in_section = false, in_snippet = false;
+  int snippets = 0;
+  std::vector<std::string> snippet;
+  for (const std::string& line : LinesOf(folder + "/../../README.md")) {
+    if (line.starts_with("## ")) in_section = line == "## Use the core alone";
+    if (!in_section) continue;
+    if (in_snippet && line == "```") {
+      in_snippet = false;
+      ++snippets;
+      EXPECT_TRUE(Holds(program, snippet) || Holds(here, snippet)) << "snippet " << snippets << ": " << snippet[0];
+    } else if (in_snippet) {
+      snippet.push_back(line);
+    } else if (line == "```cpp") {
+      in_snippet = true;
+      snippet.clear();
+    }
+  }
+  EXPECT_FALSE(in_snippet);
+  EXPECT_EQ(snippets, 9);
+}
+
+}  // namespace
