@@ -1,0 +1,110 @@
+// What an observer of a query is told: once for each iteration, bounds that only approach each other, and at last those
+// of the result.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "dgd/growth_distance.h"
+#include "dgd/shapes.h"
+#include "support/random.h"
+
+namespace dgd_test {
+namespace {
+
+template <int L>
+dgd::Pose<double, L> RandomPose(Random& random, double distance) {
+  dgd::Pose<double, L> pose;
+  if constexpr (L == 3) {
+    pose.rotation = random.Rotation();
+  } else {
+    pose.rotation = Eigen::Rotation2Dd(random.Uniform(-3, 3)).toRotationMatrix();
+  }
+  pose.translation = distance * random.UnitVector().template head<L>();
+  return pose;
+}
+
+/// Of 200 queries at random poses, from deep overlap to far apart, each pair cold and then warm.
+/// @return the most iterations of a query.
+template <class Set1, class Set2>
+int CheckObserver(const Set1& set_1, const Set2& set_2) {
+  constexpr int L = dgd::kDimension<typename Set1::Core>;
+  using Iterate = dgd::Iterate<double, L>;
+  Random random(TestSeed());
+  int most = 0;
+  for (int i = 0; i < 100; ++i) {
+    const dgd::Pose<double, L> pose_1 = RandomPose<L>(random, 1), pose_2 = RandomPose<L>(random, 4);
+    dgd::WarmStart<double, L> warm_start;
+    for (int frame = 0; frame < 2; ++frame) {
+      std::vector<Iterate> told;
+      const auto result = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2, {}, &warm_start,
+                                              [&told](const Iterate& iterate) { told.push_back(iterate); });
+      EXPECT_EQ(result.status, dgd::Status::kOptimal);
+      EXPECT_EQ(told.size(), static_cast<std::size_t>(result.iterations));
+      if (testing::Test::HasFailure()) return most;
+      most = std::max(most, result.iterations);
+      for (std::size_t k = 0; k < told.size(); ++k) {
+        EXPECT_EQ(told[k].iteration, static_cast<int>(k) + 1);
+        EXPECT_NEAR(told[k].normal.norm(), 1, 1e-14);
+        EXPECT_LE(told[k].lower_bound, told[k].upper_bound);
+        if (k == 0) continue;
+        // The lower one but for rounding: see LowerBound() in ray/ray_intersection.h.
+        EXPECT_GE(told[k].lower_bound, told[k - 1].lower_bound * (1 - 2 * dgd::kEpsilon<double>));
+        EXPECT_LE(told[k].upper_bound, told[k - 1].upper_bound);
+      }
+      EXPECT_EQ(told.back().lower_bound, result.lower_bound);
+      EXPECT_EQ(told.back().upper_bound, result.upper_bound);
+      EXPECT_EQ(told.back().normal, result.normal);
+    }
+  }
+  return most;
+}
+
+TEST(Observer, Polytopes_AreToldOnceForEachIteration) {
+  const dgd::RoundedSet box{dgd::Box<double>({0.3, 0.7, 1.1})};
+  const dgd::RoundedSet rounded{dgd::Box<double>({0.5, 0.2, 0.9}), 0.1};
+  EXPECT_GT(CheckObserver(box, box), 2);
+  EXPECT_GT(CheckObserver(box, rounded), 2);
+}
+
+TEST(Observer, CurvedSets_AreToldOnceForEachIteration) {
+  const dgd::RoundedSet cone{dgd::Cone<double>(0.6, 1.5)};
+  const dgd::RoundedSet ellipsoid{dgd::Ellipsoid<double>({0.3, 0.7, 1.1})};
+  EXPECT_GT(CheckObserver(cone, ellipsoid), 2);
+  EXPECT_GT(CheckObserver(cone, dgd::RoundedSet{dgd::Box<double>({0.3, 0.7, 1.1}), 0.1}), 2);
+}
+
+TEST(Observer, SetsOfThePlane_AreToldOnceForEachIteration) {
+  const dgd::RoundedSet rectangle{dgd::Rectangle<double>({0.3, 1.1})};
+  const dgd::RoundedSet ellipse{dgd::Ellipse<double>({0.4, 0.9})};
+  EXPECT_GT(CheckObserver(rectangle, rectangle), 2);
+  EXPECT_GT(CheckObserver(rectangle, ellipse), 2);
+  EXPECT_GT(CheckObserver(ellipse, ellipse), 2);
+}
+
+TEST(Observer, IterationLimit_EndsTheTelling) {
+  const dgd::RoundedSet cone{dgd::Cone<double>(0.6, 1.5)};
+  dgd::Pose<double> pose;
+  pose.translation = {1, 2, 0.5};
+  int told = 0;
+  const auto result = dgd::GrowthDistance(cone, dgd::Pose<double>(), cone, pose, {.max_iterations = 2}, nullptr,
+                                          [&told](const dgd::Iterate<double, 3>&) { ++told; });
+  EXPECT_EQ(result.status, dgd::Status::kIterationLimit);
+  EXPECT_EQ(told, 2);
+}
+
+TEST(Observer, Watching_DoesNotChangeTheResult) {
+  const dgd::RoundedSet cone{dgd::Cone<double>(0.6, 1.5)};
+  const dgd::RoundedSet ellipsoid{dgd::Ellipsoid<double>({0.3, 0.7, 1.1})};
+  dgd::Pose<double> pose;
+  pose.translation = {1, 2, 0.5};
+  const auto watched = dgd::GrowthDistance(cone, dgd::Pose<double>(), ellipsoid, pose, {}, nullptr,
+                                           [](const dgd::Iterate<double, 3>&) {});
+  const auto plain = dgd::GrowthDistance(cone, dgd::Pose<double>(), ellipsoid, pose);
+  EXPECT_EQ(watched.iterations, plain.iterations);
+  EXPECT_EQ(watched.lower_bound, plain.lower_bound);
+  EXPECT_EQ(watched.upper_bound, plain.upper_bound);
+  EXPECT_EQ(watched.normal, plain.normal);
+}
+
+}  // namespace
+}  // namespace dgd_test

@@ -1,0 +1,97 @@
+// The settings that are there for comparison: turned off, they change how many iterations a query takes, not its
+// answer.
+#include <gtest/gtest.h>
+
+#include "dgd/growth_distance.h"
+#include "dgd/shapes.h"
+#include "support/random.h"
+
+namespace dgd_test {
+namespace {
+
+/// Iterations over all poses, with a setting on and off.
+struct Iterations {
+  int on = 0, off = 0;
+};
+
+/// Asks about a fixed set of poses, overlapping and apart, with the setting on and off, and compares the answers.
+template <class Set1, class Set2>
+Iterations Compare(bool dgd::Settings<double>::*setting, const Set1& set_1, const Set2& set_2) {
+  constexpr int L = dgd::kDimension<typename Set1::Core>;
+  Random random(7);
+  Iterations iterations;
+  for (int i = 0; i < 200; ++i) {
+    dgd::Pose<double, L> pose_1, pose_2;
+    if constexpr (L == 3) {
+      pose_1.rotation = random.Rotation();
+      pose_2.rotation = random.Rotation();
+    } else {
+      pose_2.rotation = Eigen::Rotation2Dd(random.Uniform(-3, 3)).toRotationMatrix();
+    }
+    pose_2.translation = random.LogUniform(0.3, 6) * random.UnitVector().template head<L>();
+    dgd::Settings<double> with, without;
+    with.max_iterations = without.max_iterations = 1000;  // Cutting planes alone take more than the default.
+    without.*setting = false;
+    const auto on = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2, with);
+    const auto off = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2, without);
+    EXPECT_EQ(on.status, dgd::Status::kOptimal) << "pose " << i;
+    EXPECT_EQ(off.status, dgd::Status::kOptimal) << "pose " << i;
+    EXPECT_NEAR(off.GrowthDistance() / on.GrowthDistance(), 1, 2 * with.relative_tolerance) << "pose " << i;
+    iterations.on += on.iterations;
+    iterations.off += off.iterations;
+  }
+  return iterations;
+}
+
+constexpr auto kSecondOrder = &dgd::Settings<double>::second_order;
+constexpr auto kRounding = &dgd::Settings<double>::rounding;
+
+TEST(SecondOrder, CurvedSets_NeedFewerIterationsForTheSameAnswer) {
+  const dgd::RoundedSet ellipsoid{dgd::Ellipsoid<double>({0.3, 0.7, 1.1})};
+  const dgd::RoundedSet cone{dgd::Cone<double>(0.6, 1.5)};
+  const dgd::RoundedSet cylinder{dgd::Cylinder<double>(0.5, 0.8), 0.1};
+  const dgd::RoundedSet box{dgd::Box<double>({0.3, 0.7, 1.1})};
+  for (const Iterations& iterations :
+       {Compare(kSecondOrder, ellipsoid, ellipsoid), Compare(kSecondOrder, ellipsoid, cone),
+        Compare(kSecondOrder, cone, cylinder), Compare(kSecondOrder, cylinder, box)}) {
+    EXPECT_LT(iterations.on, 0.8 * iterations.off);
+  }
+}
+
+TEST(SecondOrder, CurvedSetsOfThePlane_NeedFewerIterationsForTheSameAnswer) {
+  const dgd::RoundedSet ellipse{dgd::Ellipse<double>({0.3, 1.1})};
+  const Iterations iterations = Compare(kSecondOrder, ellipse, ellipse);
+  EXPECT_LT(iterations.on, iterations.off);
+}
+
+TEST(SecondOrder, Polytopes_TakeNoSuchSteps) {
+  const dgd::RoundedSet box{dgd::Box<double>({0.3, 0.7, 1.1}), 0.1};
+  const Iterations iterations = Compare(kSecondOrder, box, box);
+  EXPECT_EQ(iterations.on, iterations.off);
+}
+
+TEST(Rounding, RoundedPolytopes_NeedFewerIterationsForTheSameAnswer) {
+  const dgd::RoundedSet box{dgd::Box<double>({0.3, 0.7, 1.1}), 0.2};
+  const dgd::RoundedSet capsule = dgd::Capsule(0.4, 0.9);
+  const dgd::RoundedSet stadium = dgd::Stadium(0.4, 0.9);
+  const dgd::RoundedSet rectangle{dgd::Rectangle<double>({0.3, 1.1}), 0.2};
+  for (const Iterations& iterations :
+       {Compare(kRounding, box, box), Compare(kRounding, box, capsule), Compare(kRounding, stadium, rectangle)}) {
+    EXPECT_LT(iterations.on, iterations.off);
+  }
+}
+
+TEST(Rounding, RoundedCurvedSets_GiveTheSameAnswer) {
+  const dgd::RoundedSet cone{dgd::Cone<double>(0.6, 1.5), 0.2};
+  const dgd::RoundedSet ellipsoid{dgd::Ellipsoid<double>({0.3, 0.7, 1.1}), 0.1};
+  Compare(kRounding, cone, ellipsoid);
+}
+
+TEST(Rounding, SetsWithoutARadius_AreTheSameQuery) {
+  const dgd::RoundedSet box{dgd::Box<double>({0.3, 0.7, 1.1})};
+  const Iterations iterations = Compare(kRounding, box, box);
+  EXPECT_EQ(iterations.on, iterations.off);
+}
+
+}  // namespace
+}  // namespace dgd_test
