@@ -196,6 +196,35 @@ void CheckPieces(const Core& core, const ExpectedSet<L>& expected, Random& rando
   EXPECT_GT(compared, kDirections / 2);
 }
 
+/// Where a piece has a face normal, it is of unit length, and close to it the piece's points run around a disc in the
+/// core's supporting plane, about the middle of any three a third of a turn apart: what ray/flat_face.h counts on.
+template <dgd::FacedCore Core>
+void CheckFaces(const Core& core, const ExpectedSet<3>& expected) {
+  using S = typename Core::Scalar;
+  const double tilt = std::sqrt(double(dgd::kEpsilon<S>));
+  const double rounding = Rounding<S>(expected), rounding_around = rounding + 16 * tilt * expected.reach;
+  for (dgd::FeatureId piece = 0; piece < core.PieceCount(); ++piece) {
+    const Eigen::Vector3d normal = dgd::Vector3<S>(core.FaceNormal(piece)).template cast<double>();
+    if (normal.isZero(0)) continue;
+    EXPECT_NEAR(normal.norm(), 1, 4 * double(dgd::kEpsilon<S>)) << "piece " << piece;
+    constexpr int kTurns = 12;
+    std::vector<Eigen::Vector3d> around;
+    for (int turn = 0; turn < kTurns; ++turn) {
+      const double angle = 0.1 + 2 * std::numbers::pi * turn / kTurns;
+      const Eigen::Vector3d first = normal.unitOrthogonal();
+      const Eigen::Vector3d way = std::cos(angle) * first + std::sin(angle) * normal.cross(first);
+      const Eigen::Vector3d direction = normal + tilt * way;
+      around.push_back(core.PieceSupport(piece, direction.template cast<S>()).point.template cast<double>());
+      EXPECT_NEAR(normal.dot(around.back()), expected.height(normal), rounding) << "piece " << piece;
+    }
+    const Eigen::Vector3d middle = (around[0] + around[4] + around[8]) / 3;
+    const double radius = (around[0] - middle).norm();
+    for (const Eigen::Vector3d& point : around) {
+      EXPECT_NEAR((point - middle).norm(), radius, rounding_around) << "piece " << piece;
+    }
+  }
+}
+
 /// Any hint gives a point as high as none.
 template <dgd::HintedCore Core, int L = dgd::kDimension<Core>>
 void CheckHints(const Core& core, const ExpectedSet<L>& expected, Random& random) {
@@ -284,6 +313,7 @@ void CheckExpected(const Core& core, const ExpectedSet<dgd::kDimension<Core>>& e
   CheckSupport(core, expected, random);
   CheckCenter(core, expected, random);
   if constexpr (dgd::SmoothCore<Core>) CheckPieces(core, expected, random);
+  if constexpr (dgd::FacedCore<Core>) CheckFaces(core, expected);
   if constexpr (dgd::HintedCore<Core>) CheckHints(core, expected, random);
   if constexpr (dgd::CenteredCore<Core>) CheckMovedCenter(core, expected, random);
   CheckDistance(core, expected, random);

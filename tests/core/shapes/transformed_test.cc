@@ -79,6 +79,12 @@ TEST(Transformed, Contract_HoldsInThePlane) {
                 ImageOf<2>(ExpectedHull<2>({{1, 2}, {-1, 2}, {1, -2}, {-1, -2}}), linear, offset));
 }
 
+// Its caps are ellipses, which the solver's way with flat faces would take for discs.
+TEST(Transformed, FaceNormals_AreNotHandedOn) {
+  static_assert(dgd::FacedCore<dgd::Cylinder<double>>);
+  static_assert(!dgd::FacedCore<dgd::Transformed<dgd::Cylinder<double>>>);
+}
+
 // A ball stretched along its axes is an ellipsoid, whose distance is known by another way.
 TEST(Transformed, Distance_IsTheEllipsoidsForAStretchedBall) {
   Random random(TestSeed());
