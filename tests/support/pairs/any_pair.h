@@ -18,7 +18,8 @@ class AnyPair {
  public:
   using Point = dgd::Vector<double, L>;
   using Observer = std::function<void(const dgd::Iterate<S, L>&)>;
-  using Set = std::variant<dgd::RoundedSet<ErasedVertexCore<S, L>>, dgd::RoundedSet<ErasedSmoothCore<S, L>>>;
+  using Set = std::variant<dgd::RoundedSet<ErasedVertexCore<S, L>>, dgd::RoundedSet<ErasedSmoothCore<S, L>>,
+                           dgd::RoundedSet<ErasedPlainCore<S, L>>>;
 
   /// The pair that the numbers say, both of dimension L. Throws std::invalid_argument otherwise.
   explicit AnyPair(const PairNumbers& numbers);

@@ -1,6 +1,7 @@
-// Cores of any type behind two names, one for polytopes and one for curved cores, so that the solver is instantiated
-// for pairs of these instead of for every pair of types, which would take minutes to compile. A virtual call hands each
-// question on to the core itself, so that the answers are the same to the last digit.
+// Cores of any type behind three names, for polytopes, for curved cores, and for cores that do not tell their features
+// apart, so that the solver is instantiated for pairs of these instead of for every pair of types, which would take
+// minutes to compile. A virtual call hands each question on to the core itself, so that the answers are the same to the
+// last digit.
 #pragma once
 
 #include <memory>
@@ -11,7 +12,8 @@
 
 namespace dgd_test {
 
-/// All that the solver and the certificate may ask of a core. Features are vertices or pieces.
+/// All that the solver and the certificate may ask of a core. Features are vertices or pieces; a core that does not
+/// tell them apart has none, and is not asked.
 template <class S, int L>
 class CoreQuestions {
  public:
@@ -54,15 +56,20 @@ class CoreAnswers final : public CoreQuestions<typename Core::Scalar, dgd::kDime
   dgd::FeatureId FeatureCount() const override {
     if constexpr (dgd::SmoothCore<Core>) {
       return core_.PieceCount();
-    } else {
+    } else if constexpr (dgd::VertexCore<Core>) {
       return core_.VertexCount();
+    } else {
+      return 0;
     }
   }
-  dgd::CurvedPoint<S, L> FeatureSupport(dgd::FeatureId feature, const Point& direction) const override {
+  dgd::CurvedPoint<S, L> FeatureSupport([[maybe_unused]] dgd::FeatureId feature,
+                                        [[maybe_unused]] const Point& direction) const override {
     if constexpr (dgd::SmoothCore<Core>) {
       return core_.PieceSupport(feature, direction);
-    } else {
+    } else if constexpr (dgd::VertexCore<Core>) {
       return {core_.Vertex(feature), dgd::SquareMatrix<S, L>::Zero()};
+    } else {
+      return {core_.Center(), dgd::SquareMatrix<S, L>::Zero()};
     }
   }
   Point FaceNormal([[maybe_unused]] dgd::FeatureId piece) const override {
@@ -76,7 +83,7 @@ class CoreAnswers final : public CoreQuestions<typename Core::Scalar, dgd::kDime
   Core core_;
 };
 
-/// What both names have in common.
+/// What the names have in common.
 template <class ScalarType, int L>
 class ErasedCore {
  public:
@@ -126,11 +133,26 @@ class ErasedSmoothCore : public ErasedCore<S, L> {
   dgd::Vector<S, L> FaceNormal(dgd::FeatureId piece) const { return this->Core().FaceNormal(piece); }
 };
 
+/// As a user's core with the least that ConvexCore asks for: without features, and without hints.
+template <class ScalarType, int L>
+class ErasedPlainCore : private ErasedCore<ScalarType, L> {
+ public:
+  using Scalar = ScalarType;
+  using Base = ErasedCore<Scalar, L>;
+  using Base::Base, Base::Center, Base::Distance, Base::Inradius, Base::SupportValue;
+
+  dgd::SupportPoint<Scalar, L> Support(const dgd::Vector<Scalar, L>& direction) const {
+    return Base::Support(direction);
+  }
+};
+static_assert(!dgd::HintedCore<ErasedPlainCore<double, 3>>);
+
 template <class Core>
 auto Erase(Core core) {
   using S = typename Core::Scalar;
   constexpr int L = dgd::kDimension<Core>;
-  using Erased = std::conditional_t<dgd::SmoothCore<Core>, ErasedSmoothCore<S, L>, ErasedVertexCore<S, L>>;
+  using ErasedFlat = std::conditional_t<dgd::VertexCore<Core>, ErasedVertexCore<S, L>, ErasedPlainCore<S, L>>;
+  using Erased = std::conditional_t<dgd::SmoothCore<Core>, ErasedSmoothCore<S, L>, ErasedFlat>;
   return Erased(std::make_shared<CoreAnswers<Core>>(std::move(core)));
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dgd/shapes.h"
+#include "support/pairs/plain_cores.h"
 
 namespace dgd_test {
 namespace {
@@ -57,6 +58,10 @@ typename AnyPair<S, 3>::Set MakeSolid(const SetNumbers& set) {
       return Rounded<S>(Mapped<S>(dgd::Box<S>(lengths), set), set.radius);
     case SetType::kAffineCylinder:  // Radius, half height, map, offset.
       return Rounded<S>(Mapped<S>(dgd::Cylinder<S>(lengths[0], lengths[1]), set), set.radius);
+    case SetType::kPlainBox:  // Half extents.
+      return Rounded<S>(PlainBox<S>(lengths), set.radius);
+    case SetType::kSuperellipsoid:  // Semi-axes.
+      return Rounded<S>(Superellipsoid<S, 3>(lengths, set.exponent), set.radius);
     default:
       RefuseType(set.type, 3);
   }
@@ -79,6 +84,8 @@ typename AnyPair<S, 2>::Set MakeFlat(const SetNumbers& set) {
       for (const Eigen::Vector3d& point : set.points) points.push_back(point.head<2>());
       return Rounded<S>(dgd::Polygon<S>(points), set.radius);
     }
+    case SetType::kSuperellipse:  // Semi-axes.
+      return Rounded<S>(Superellipsoid<S, 2>(lengths, set.exponent), set.radius);
     default:
       RefuseType(set.type, 2);
   }

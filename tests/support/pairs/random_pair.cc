@@ -146,7 +146,9 @@ SetNumbers RandomSetOf(Random& random, SetType type, const LengthRange& lengths,
   set.type = type;
   for (double& length : set.lengths) length = random_length();
   set.radius = is_rounded ? random_length() : 0;
-  if (type == SetType::kDsf) set.exponent = random.LogUniform(kLeastExponent, kLargestExponent);
+  if (type == SetType::kDsf || type == SetType::kSuperellipsoid || type == SetType::kSuperellipse) {
+    set.exponent = random.LogUniform(kLeastExponent, kLargestExponent);
+  }
   if (type == SetType::kAffineBox || type == SetType::kAffineCylinder) {
     const Eigen::Vector3d stretches(random.LogUniform(0.3, 3), random.LogUniform(0.3, 3), random.LogUniform(0.3, 3));
     const Eigen::Matrix3d first = random.Rotation();

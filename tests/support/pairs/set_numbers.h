@@ -17,7 +17,7 @@ struct SetNumbers {
   std::vector<Eigen::Vector3d> points = {};
   Eigen::Matrix3d stretch = Eigen::Matrix3d::Identity();  ///< Of the types that are an affine image of another.
   double radius = 0;
-  double exponent = 0;  ///< Of a dsf.
+  double exponent = 0;  ///< Of a dsf or superellipsoid.
 
   bool HasInterior() const { return InfoOf(type).is_solid || radius > 0; }
 };

@@ -23,11 +23,14 @@ enum class SetType : std::uint8_t {
   kDsf,
   kAffineBox,
   kAffineCylinder,
+  kPlainBox,
+  kSuperellipsoid,
   kCircle,
   kStadium,
   kRectangle,
   kEllipse,
   kPolygon,
+  kSuperellipse,
 };
 
 struct SetTypeInfo {
@@ -53,11 +56,14 @@ inline constexpr std::array kSetTypes = {
     SetTypeInfo{SetType::kDsf, "dsf", 3, true, true},
     SetTypeInfo{SetType::kAffineBox, "affine-box", 3, false, true},
     SetTypeInfo{SetType::kAffineCylinder, "affine-cylinder", 3, true, true},
+    SetTypeInfo{SetType::kPlainBox, "plain-box", 3, false, true},
+    SetTypeInfo{SetType::kSuperellipsoid, "superellipsoid", 3, true, true},
     SetTypeInfo{SetType::kCircle, "circle", 2, false, false},
     SetTypeInfo{SetType::kStadium, "stadium", 2, false, false},
     SetTypeInfo{SetType::kRectangle, "rectangle", 2, false, true},
     SetTypeInfo{SetType::kEllipse, "ellipse", 2, true, true},
     SetTypeInfo{SetType::kPolygon, "polygon", 2, false, true},
+    SetTypeInfo{SetType::kSuperellipse, "superellipse", 2, true, true},
 };
 inline constexpr std::size_t kSetTypeCount = kSetTypes.size();
 
