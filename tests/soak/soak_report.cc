@@ -18,7 +18,7 @@ namespace {
 using dgd_test::Tally;
 using dgd_test::Worst;
 
-constexpr std::size_t kNameWidth = 24;
+constexpr std::size_t kNameWidth = 34;
 constexpr double kTail = 0.9999;
 
 struct Column {
