@@ -70,10 +70,11 @@ std::vector<IterationRow> Count(const IterationClass& iteration_class, const Mes
       for (std::size_t v = 0; v < rows.size(); ++v) {
         const IterationVariant& variant = IterationVariants()[v];
         dgd::WarmStart<double, L> start;
-        if (variant.is_warm) {
+        if (variant.start != Start::kCold) {
           pair.MoveTo(pose_1, last_pose_2);
           pair.GrowthDistance(variant.settings, &start);
         }
+        if (variant.start == Start::kLastNormal) start.size = start.known_size = 0;
         pair.MoveTo(pose_1, pose_2);
         Ask(pair, variant, start, index, rows[v].tally, times[v]);
       }
@@ -95,11 +96,18 @@ const std::vector<IterationVariant>& IterationVariants() {
     first_order.second_order = false;
     dgd::Settings<double> unrounded;
     unrounded.rounding = false;
-    return std::vector<IterationVariant>{{"cold", usual, false, true},
-                                         {"warm", usual, true, true},
-                                         {"no second-order steps, cold", first_order, false, false},
-                                         {"no radii apart from cores, cold", unrounded, false, false},
-                                         {"tolerance 1e-12, cold", exact, false, false}};
+    dgd::Settings<double> summed;
+    summed.known_points = false;
+    dgd::Settings<double> creeping;
+    creeping.half_way_cuts = false;
+    return std::vector<IterationVariant>{{"cold", usual, Start::kCold, true},
+                                         {"warm", usual, Start::kWarm, true},
+                                         {"warm, by the normal alone", usual, Start::kLastNormal, true},
+                                         {"no second-order steps, cold", first_order, Start::kCold, false},
+                                         {"no radii apart from cores, cold", unrounded, Start::kCold, false},
+                                         {"no combined points, cold", summed, Start::kCold, false},
+                                         {"no half-way cuts, cold", creeping, Start::kCold, false},
+                                         {"tolerance 1e-12, cold", exact, Start::kCold, false}};
   }();
   return variants;
 }

@@ -11,11 +11,18 @@
 
 namespace dgd_bench {
 
+/// What a query starts from: nothing, or the answer at a pose 1 % of the extent and 0.01 rad away.
+enum class Start {
+  kCold,
+  kWarm,
+  kLastNormal,  ///< Of that answer, the normal alone: the dual warm start of the paper.
+};
+
 /// A way of asking: settings, and from where.
 struct IterationVariant {
   const char* title;
   dgd::Settings<double> settings;
-  bool is_warm;          ///< From the answer at a pose 1 % of the extent and 0.01 rad away.
+  Start start;
   bool must_be_optimal;  ///< Else rounding, or the limit of iterations, may be in the way.
 };
 const std::vector<IterationVariant>& IterationVariants();

@@ -34,8 +34,8 @@ Classes:  curved: sphere, capsule, box, cylinder, cone, frustum, ellipsoid, one 
           of aspect ratio 10; dsf: differentiable support functions of 4 to 30 points; of these two,
           fewer pairs in more poses. 2d: circle, stadium, rectangle, ellipse, polygon.
 Poses:    random orientations, both centres in a cube of 1.4 times the pair's extent.
-Rows:     cold; warm, from the answer at a pose 1 % of the extent and 0.01 rad away; and with other
-          settings. Columns: iterations are evaluations of the support functions, percentiles by
+Rows:     cold; warm, from the answer at a pose 1 % of the extent and 0.01 rad away, or from its normal
+          alone; and without each of what goes beyond the paper. Columns: iterations are evaluations of the support functions, percentiles by
           nearest rank; the worst relative gap and primal infeasibility, relative to the pair's size,
           by dgd/certificate.h; answers that are not optimal; and the median time. In each evaluation two
           virtual calls find the cores, which an app does not pay: compare times with each other.

@@ -22,8 +22,10 @@ TEST(IterationsTest, FewPairs_TableHoldsEveryClassAndRow) {
   for (const char* each : kClasses) {
     EXPECT_EQ(Count(outcome.output, std::string("\n") + each + ": "), 1) << each << '\n' << outcome.output;
   }
-  for (const char* row : {"\n  cold ", "\n  warm ", "\n  no second-order steps, cold ",
-                          "\n  no radii apart from cores, cold ", "\n  tolerance 1e-12, cold "}) {
+  for (const char* row :
+       {"\n  cold ", "\n  warm  ", "\n  warm, by the normal alone ", "\n  no second-order steps, cold ",
+        "\n  no radii apart from cores, cold ", "\n  no combined points, cold ", "\n  no half-way cuts, cold ",
+        "\n  tolerance 1e-12, cold "}) {
     EXPECT_EQ(Count(outcome.output, row), static_cast<int>(std::size(kClasses))) << row << '\n' << outcome.output;
   }
 }

@@ -2,6 +2,9 @@
 // answer.
 #include <gtest/gtest.h>
 
+#include <span>
+#include <vector>
+
 #include "dgd/growth_distance.h"
 #include "dgd/shapes.h"
 #include "support/random.h"
@@ -16,7 +19,8 @@ struct Iterations {
 
 /// Asks about a fixed set of poses, overlapping and apart, with the setting on and off, and compares the answers.
 template <class Set1, class Set2>
-Iterations Compare(bool dgd::Settings<double>::*setting, const Set1& set_1, const Set2& set_2) {
+Iterations Compare(bool dgd::Settings<double>::*setting, const Set1& set_1, const Set2& set_2,
+                   const dgd::Settings<double>& others = {}) {
   constexpr int L = dgd::kDimension<typename Set1::Core>;
   Random random(7);
   Iterations iterations;
@@ -29,7 +33,7 @@ Iterations Compare(bool dgd::Settings<double>::*setting, const Set1& set_1, cons
       pose_2.rotation = Eigen::Rotation2Dd(random.Uniform(-3, 3)).toRotationMatrix();
     }
     pose_2.translation = random.LogUniform(0.3, 6) * random.UnitVector().template head<L>();
-    dgd::Settings<double> with, without;
+    dgd::Settings<double> with = others, without = others;
     with.max_iterations = without.max_iterations = 1000;  // Cutting planes alone take more than the default.
     without.*setting = false;
     const auto on = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2, with);
@@ -45,6 +49,8 @@ Iterations Compare(bool dgd::Settings<double>::*setting, const Set1& set_1, cons
 
 constexpr auto kSecondOrder = &dgd::Settings<double>::second_order;
 constexpr auto kRounding = &dgd::Settings<double>::rounding;
+constexpr auto kKnownPoints = &dgd::Settings<double>::known_points;
+constexpr auto kHalfWayCuts = &dgd::Settings<double>::half_way_cuts;
 
 TEST(SecondOrder, CurvedSets_NeedFewerIterationsForTheSameAnswer) {
   const dgd::RoundedSet ellipsoid{dgd::Ellipsoid<double>({0.3, 0.7, 1.1})};
@@ -90,6 +96,40 @@ TEST(Rounding, RoundedCurvedSets_GiveTheSameAnswer) {
 TEST(Rounding, SetsWithoutARadius_AreTheSameQuery) {
   const dgd::RoundedSet box{dgd::Box<double>({0.3, 0.7, 1.1})};
   const Iterations iterations = Compare(kRounding, box, box);
+  EXPECT_EQ(iterations.on, iterations.off);
+}
+
+TEST(KnownPoints, PolytopesAndCurvedSets_NeedFewerIterationsForTheSameAnswer) {
+  Random random(3);
+  std::vector<Eigen::Vector3d> points;
+  for (int i = 0; i < 300; ++i) points.push_back(random.UnitVector());
+  const dgd::RoundedSet mesh{dgd::Mesh<double>(points)};
+  const dgd::RoundedSet rounded{dgd::Polytope<double>(std::span(points).first(20)), 0.1};
+  const dgd::RoundedSet ellipsoid{dgd::Ellipsoid<double>({0.3, 0.7, 1.1})};
+  for (const Iterations& iterations : {Compare(kKnownPoints, mesh, mesh), Compare(kKnownPoints, rounded, rounded),
+                                       Compare(kKnownPoints, mesh, rounded)}) {
+    EXPECT_LT(iterations.on, 0.85 * iterations.off);
+  }
+  EXPECT_LT(Compare(kKnownPoints, mesh, ellipsoid).on, Compare(kKnownPoints, mesh, ellipsoid).off);
+}
+
+TEST(HalfWayCuts, CuttingPlanesOnThinEdges_NeedFewerIterationsForTheSameAnswer) {
+  // Nearly flat, with a rim of little radius: support points swing from one face to the other.
+  std::vector<Eigen::Vector3d> corners;
+  for (const double x : {-1, 1}) {
+    for (const double y : {-0.6, 0.6}) {
+      for (const double z : {-0.02, 0.02}) corners.emplace_back(x, y, z);
+    }
+  }
+  const dgd::RoundedSet plate{dgd::Dsf<double>(corners, 40)};
+  const dgd::RoundedSet lens{dgd::Ellipsoid<double>({0.3, 0.7, 0.02})};
+  const Iterations iterations = Compare(kHalfWayCuts, plate, lens, {.second_order = false});
+  EXPECT_LT(iterations.on, iterations.off);
+}
+
+TEST(HalfWayCuts, Polytopes_TakeNone) {
+  const dgd::RoundedSet box{dgd::Box<double>({0.3, 0.7, 1.1}), 0.1};
+  const Iterations iterations = Compare(kHalfWayCuts, box, box);
   EXPECT_EQ(iterations.on, iterations.off);
 }
 

@@ -80,11 +80,16 @@ TEST_F(ManifoldContent, BoxCrossingBox_FourPointsSpanTheCrossing) {
   EXPECT_NEAR(Span(contacts).y(), side, kLength);
 }
 
-TEST_F(ManifoldContent, PrismOnFloor_FourPointsSpanTheHexagon) {
+// Two corners opposite to each other, and one on either side: whichever these are, their area is the same.
+TEST_F(ManifoldContent, PrismOnFloor_FourPointsSpanTwoThirdsOfTheHexagon) {
   const auto prism = MakePrism(6, 0.5, 0.2);
   const std::vector<Contact> contacts = Lay(*prism, At(0, 0, 0.2 + double(prism->getMargin()) - 0.001));
-  EXPECT_EQ(contacts.size(), 4U);
-  EXPECT_NEAR(Span(contacts).norm(), Eigen::Vector2d(1, std::sqrt(0.75)).norm(), 0.15);
+  ASSERT_EQ(contacts.size(), 4U);
+  const auto twice_area = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
+    return (contacts[b].on_b - contacts[a].on_b).cross(contacts[d].on_b - contacts[c].on_b).norm();
+  };
+  const double area = std::max({twice_area(0, 1, 2, 3), twice_area(0, 2, 1, 3), twice_area(0, 3, 1, 2)}) / 2;
+  EXPECT_NEAR(area, std::sqrt(0.75) / 2, 0.07);
 }
 
 TEST_F(ManifoldContent, CapsuleLyingOnFloor_TwoPointsAtItsEnds) {
@@ -284,7 +289,8 @@ TEST_F(ManifoldContent, SwappedBodies_SamePatchSeenFromTheOtherSide) {
       const std::vector<Contact> contacts = straight.Step(), mirrored = swapped.Step();
       ASSERT_EQ(contacts.size(), mirrored.size());
       // Curved shapes stop within the solver's tolerance, and Bullet's own support functions within their rounding.
-      constexpr double kAngle = 1e-3, kPlace = 1e-3, kDepth = 1e-4;
+      // A height that is off by that part turns the normal by its square root.
+      constexpr double kAngle = sizeof(btScalar) == sizeof(double) ? 1e-3 : 3e-3, kPlace = 1e-3, kDepth = 1e-4;
       for (const Contact& contact : contacts) {
         const auto nearest =
             std::min_element(mirrored.begin(), mirrored.end(), [&](const Contact& x, const Contact& y) {

@@ -40,8 +40,10 @@ struct Settings {
   S separation_limit = std::numeric_limits<S>::infinity();
 
   /// For comparison only; there is no other reason to turn these off.
-  bool second_order = true;  ///< Second-order steps on curved cores (ray/second_order_step.h).
-  bool rounding = true;      ///< Radii kept apart from the cores (ray/inner_approximation.h).
+  bool second_order = true;   ///< Second-order steps on curved cores (ray/second_order_step.h).
+  bool rounding = true;       ///< Radii kept apart from the cores (ray/inner_approximation.h).
+  bool known_points = true;   ///< What is known of each set alone combined (ray/known_points.h).
+  bool half_way_cuts = true;  ///< Curved cores: between the best normal and the next (RayIntersection::NormalBetween).
 };
 
 /// What an observer of a query is told after each iteration: the bounds of Result so far, which only approach each
@@ -90,10 +92,14 @@ struct Result {
 /// exist, which are ignored.
 template <class S, int L = 3>
 struct WarmStart {
+  static constexpr int kCapacity = L + 4;  ///< Four more than a basis has save one of six directions on moving meshes.
+
   Vector<S, L> normal_1 = Vector<S, L>::Zero();  ///< Last normal, in set 1's frame; zero for none.
-  std::array<FeatureId, L> features_1{};         ///< Last basis of the inner approximation ...
-  std::array<FeatureId, L> features_2{};         ///< ... by the features of the two cores.
-  std::int32_t size = 0;  ///< Points in the basis; 0 if the sets were apart by more than asked for.
+  /// Points of the Minkowski difference by the features of the two cores: the last basis of the inner approximation,
+  /// then what else was met.
+  std::array<FeatureId, kCapacity> features_1{}, features_2{};
+  std::int32_t size = 0;        ///< Points in the basis; 0 if the sets were apart by more than asked for.
+  std::int32_t known_size = 0;  ///< Points after these.
 };
 static_assert(sizeof(WarmStart<double>) <= 128, "must fit into a Bullet algorithm object beside the rest");
 

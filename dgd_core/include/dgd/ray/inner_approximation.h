@@ -92,6 +92,9 @@ class InnerApproximation {
     return rounding_ > 0 ? InsertRounded(added) : InsertSharp(added);
   }
 
+  /// How much farther along the normal than the feature a point lies, metres.
+  S Excess(const Point& point) const { return normal_.dot(point - PointOf(0)); }
+
   /// Takes over a whole basis, one to L points of the cores' difference that were the feature of an earlier query,
   /// if the ray leaves through the same feature, not lower than so far.
   bool AdoptBasis(const std::array<DifferencePoint<S, L>, L>& basis, int size) {

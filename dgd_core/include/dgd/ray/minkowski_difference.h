@@ -75,6 +75,9 @@ class MinkowskiDifference {
   static constexpr bool kIsSmooth =
       kHasFeatures && (SmoothCore<typename Set1::Core> || SmoothCore<typename Set2::Core>);
 
+  /// A polytope, but for the radius.
+  static constexpr bool kIsPolytope = kHasFeatures && !kIsSmooth;
+  /// Some points are the rims of flat discs.
   static constexpr bool kHasFaces =
       kIsSmooth && L == 3 && (FacedCore<typename Set1::Core> || FacedCore<typename Set2::Core>);
 
@@ -122,7 +125,7 @@ class MinkowskiDifference {
   }
 
   /// The difference of two vertices that a previous query named.
-  DifferencePoint<S, L> FromVertices(VertexId vertex_1, VertexId vertex_2) const requires(kHasFeatures && !kIsSmooth) {
+  DifferencePoint<S, L> FromVertices(VertexId vertex_1, VertexId vertex_2) const requires kIsPolytope {
     return Difference({set_1_.core.Vertex(vertex_1), vertex_1}, {set_2_.core.Vertex(vertex_2), vertex_2},
                       Point::Zero());
   }

