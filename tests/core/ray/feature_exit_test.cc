@@ -69,5 +69,28 @@ TEST(SliverExit, CornerOnTheRayButForRounding_HoldsItWithinTheCornersError) {
   EXPECT_NEAR(exit.height, corners[2].z(), 1e-15);
 }
 
+// From soak runs in float. The side from the first to the second corner passes the ray within rounding; the third has
+// no weight to give to the longest side, along which the weights were off.
+TEST(SliverExit, WeightsOffAlongASideButTheLongest_ExitIsOnTheRay) {
+  const Vector3<float> a(-3.0350306f, -3.39186025f, 4.92860603f), b(0.329020172f, 0.367705941f, 6.69057751f),
+      c(2.98128963f, 3.4397614f, -4.92820835f);
+  FeatureExit<float, 3> exit;
+  ASSERT_TRUE(SliverExit<float>(a, b, c, 0, 16 * kEpsilon<float> * 6.7f, exit));
+  const Vector3<float> sum = exit.weights[0] * a + exit.weights[1] * b + exit.weights[2] * c;
+  EXPECT_NEAR(sum.x(), 0, 1e-5);
+  EXPECT_NEAR(sum.y(), 0, 1e-5);
+  EXPECT_NEAR(exit.height, 6.518, 1e-3);
+}
+
+// Ten times as high as wide: the corners' error is of their heights, and it may be all that is off the ray.
+TEST(SliverExit, HighAboveItsReach_MayBeOffTheRayByTheCornersError) {
+  const Vector3<float> a(0.00193357468f, -0.00016862154f, 10.7545862f), b(-0.28164503f, 0.0241505541f, 10.4690294f),
+      c(0.00808791816f, -0.0299188122f, 10.4759474f);
+  FeatureExit<float, 3> exit;
+  EXPECT_FALSE(FacetExit<float>(a, b, c, 0, exit));
+  ASSERT_TRUE(SliverExit<float>(a, b, c, 0, 16 * kEpsilon<float> * a.z(), exit));
+  EXPECT_NEAR(exit.height, 10.75264, 1e-4);
+}
+
 }  // namespace
 }  // namespace dgd

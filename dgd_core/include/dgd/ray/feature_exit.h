@@ -52,11 +52,13 @@ template <class S>
   const Vector3<S> shifted_a = a + shift, shifted_b = b + shift, shifted_c = c + shift;
   const S area = std::abs(normal.cross.z()), border_error = rounding * normal.error + corner_error;
   if (!WeighSliver(shifted_a, shifted_b, shifted_c, area, border_error, exit.weights)) return false;
-  MoveToRay<S>({&shifted_a, &shifted_b, &shifted_c}, exit.weights);
-  // Corners on a line, but for rounding, leave the weights no digits: then they do not make a point of the ray.
+  MoveAlongSides<S, 2>({shifted_a.template head<2>(), shifted_b.template head<2>(), shifted_c.template head<2>()},
+                       Vector2<S>::Zero(), exit.weights);
+  // Corners on a line, but for rounding, leave the weights no digits: then they do not make a point of the ray. The
+  // corners' error counts as well: it is of all their coordinates, and the sliver may be near the ray with all of it.
   const Vector3<S> on_ray = exit.weights[0] * shifted_a + exit.weights[1] * shifted_b + exit.weights[2] * shifted_c;
   const S reach = std::max({LateralL1<S>(shifted_a), LateralL1<S>(shifted_b), LateralL1<S>(shifted_c)});
-  if (!(LateralL1<S>(on_ray) <= kOffRay<S> * (reach + rounding))) return false;
+  if (!(LateralL1<S>(on_ray) <= kOffRay<S> * (reach + rounding) + corner_error)) return false;
   SetTriangleHeight(shifted_a.z(), shifted_b.z(), shifted_c.z(), exit);
   return true;
 }

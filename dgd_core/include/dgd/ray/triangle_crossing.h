@@ -95,27 +95,38 @@ bool WeighSliver(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, 
   return true;
 }
 
-/// The flatter a sliver, the fewer digits its weights have; but what they are off by runs along its longest side, and a
-/// shift of weight from one end of that to the other takes it away.
-template <class S>
-void MoveToRay(const std::array<const Vector3<S>*, 3>& corners, std::array<S, 3>& weights) {
-  Vector2<S> longest = Vector2<S>::Zero(), off = Vector2<S>::Zero();
-  std::size_t from = 0, to = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t next = (i + 1) % 3;
-    const Vector2<S> side = (*corners[next] - *corners[i]).template head<2>();
-    if (side.squaredNorm() > longest.squaredNorm()) {
-      longest = side;
-      from = i;
-      to = next;
-    }
-    off += weights[i] * corners[i]->template head<2>();
-  }
-  const S length_sq = longest.squaredNorm();
+/// Shifts weight from one end of a side to the other, to where the weighted sum of the corners is nearest to its
+/// target.
+/// @param off  The sum less the target, metres.
+template <class S, int D>
+void MoveAlongSide(const Vector<S, D>& side, const Vector<S, D>& off, S& weight_from, S& weight_to) {
+  const S length_sq = side.squaredNorm();
   if (!(length_sq > 0)) return;
-  const S shift = std::clamp(off.dot(longest) / length_sq, -weights[from], weights[to]);
-  weights[from] += shift;
-  weights[to] -= shift;
+  const S shift = std::clamp(off.dot(side) / length_sq, -weight_from, weight_to);
+  weight_from += shift;
+  weight_to -= shift;
+}
+
+/// The side from corner i to the next that is longest.
+template <class S, int D>
+std::size_t LongestSide(const std::array<Vector<S, D>, 3>& corners) {
+  const auto length_sq = [&](std::size_t i) { return (corners[(i + 1) % 3] - corners[i]).squaredNorm(); };
+  std::size_t longest = length_sq(0) >= length_sq(1) ? 0 : 1;
+  return length_sq(2) > length_sq(longest) ? 2 : longest;
+}
+
+/// The flatter a sliver, the fewer digits its weights have; but what they are off by runs along its longest side, and a
+/// shift of weight from one end of that to the other takes it away. Where an end has no weight to give, the other two
+/// sides, which run nearly the same way, do the rest. Test: SliverExit.WeightsOffAlongASideButTheLongest_*.
+/// @param corners  And their target: points, metres, of which the weighted sum is to come near to the target.
+template <class S, int D>
+void MoveAlongSides(const std::array<Vector<S, D>, 3>& corners, const Vector<S, D>& target, std::array<S, 3>& weights) {
+  const std::size_t longest = LongestSide<S, D>(corners);
+  for (std::size_t i = longest; i < longest + 3; ++i) {
+    const std::size_t from = i % 3, to = (i + 1) % 3;
+    const Vector<S, D> off = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2] - target;
+    MoveAlongSide<S, D>(corners[to] - corners[from], off, weights[from], weights[to]);
+  }
 }
 
 /// Normal of a sliver, from the corner opposite its longest side; see EdgeArea.
