@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <vector>
 
 #include "dgd/shapes/polytope.h"
@@ -131,6 +132,25 @@ TEST(InnerApproximation, AnyInsertion_NeverLowersTheHeight) {
       if (::testing::Test::HasFailure()) return;
     }
   }
+}
+
+DifferencePoint<float> FloatPointAt(float x, float y, float z) {
+  DifferencePoint<float> point;
+  point.point = {x, y, z};
+  return point;
+}
+
+// A needle, from a soak run: the new facet passes the ceiling by 1e-4 of it, and the last digit of its corners can move
+// it by twice that.
+TEST(InnerApproximation, Insert_FacetOfANeedleAboveTheCeilingByRounding_IsTaken) {
+  auto inner = InnerApproximation<float>::FromInradius(0.01f, 0.5f);
+  const std::array<DifferencePoint<float>, 3> basis = {FloatPointAt(-3.43371964f, 2.92834473f, 34.6501846f),
+                                                       FloatPointAt(0.0974351466f, -0.14862521f, 0.221731231f),
+                                                       FloatPointAt(16.2114086f, -13.8251438f, 27.6957855f)};
+  ASSERT_TRUE(inner.AdoptBasis(basis, 3));
+  const float ceiling = 33.5030022f;
+  EXPECT_TRUE(inner.Insert(FloatPointAt(6.91430759f, -5.89832783f, 33.7402267f), ceiling));
+  EXPECT_EQ(inner.Height(), ceiling);
 }
 
 }  // namespace

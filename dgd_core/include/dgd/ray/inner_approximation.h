@@ -151,6 +151,9 @@ class InnerApproximation {
 
   /// Steep features magnify the rounding of their points to heights that are off by less than this part.
   static constexpr S kCeilingSlack = sizeof(S) == 8 ? 4 * kSqrtEpsilon<S> : kSqrtEpsilon<S> / 16;
+  /// ... and planes that pass the ceiling on the ray at a distance of less than this times the rounding of their
+  /// points.
+  static constexpr S kCeilingUnits = 1;
 
   template <class Part>
   Point Combine(Part part) const {
@@ -161,8 +164,15 @@ class InnerApproximation {
 
   const Point& PointOf(int i) const { return points_[static_cast<std::size_t>(i)].point; }
 
-  bool IsBelowCeiling(const Candidate& candidate) const {
-    return candidate.height <= ceiling_ + kCeilingSlack * ceiling_;
+  /// @param added  The candidate's last point.
+  bool IsBelowCeiling(const Candidate& candidate, const Point& added) const {
+    return candidate.height <= ceiling_ + kCeilingSlack * ceiling_ || IsBelowCeilingButForSlope(candidate, added);
+  }
+
+  /// Of needles the flattest feature there is may be so steep that no height is nearer to the ceiling: then it is the
+  /// distance from the plane that tells rounding.
+  [[gnu::cold, gnu::noinline]] bool IsBelowCeilingButForSlope(const Candidate& candidate, const Point& added) const {
+    return (candidate.height - ceiling_) * candidate.normal[L - 1] <= kCeilingUnits * kEpsilon<S> * Reach(added);
   }
 
   bool BasisExit(const std::array<DifferencePoint<S, L>, L>& basis, int size, Candidate& candidate) const {
@@ -182,12 +192,12 @@ class InnerApproximation {
     if constexpr (L == 2) {
       candidate.kept = {1 - dropped};
       return ray_internal::FacetExit<S>(PointOf(candidate.kept[0]), added, rounding_, candidate) &&
-             IsBelowCeiling(candidate);
+             IsBelowCeiling(candidate, added);
     } else {
       candidate.kept = {(dropped + 1) % 3, (dropped + 2) % 3};
       return ray_internal::FacetExit<S>(PointOf(candidate.kept[0]), PointOf(candidate.kept[1]), added, rounding_,
                                         candidate) &&
-             IsBelowCeiling(candidate);
+             IsBelowCeiling(candidate, added);
     }
   }
 
@@ -211,7 +221,7 @@ class InnerApproximation {
     const Point& w = added.point;
     Candidate best, candidate;
     const auto keep_higher = [&] {
-      if (candidate.height > best.height && IsBelowCeiling(candidate)) best = candidate;
+      if (candidate.height > best.height && IsBelowCeiling(candidate, w)) best = candidate;
     };
     if (size_ == L) {
       // Most steps end here: the likely facet carries the ray and the dropped point lies below it.
@@ -269,7 +279,7 @@ class InnerApproximation {
       candidate.kept = {(dropped + 1) % L, (dropped + 2) % L};
       if (ray_internal::SliverExit<S>(PointOf(candidate.kept[0]), PointOf(candidate.kept[1]), added.point, rounding_,
                                       error, candidate) &&
-          IsBelowCeiling(candidate)) {
+          IsBelowCeiling(candidate, added.point)) {
         if (weights_[static_cast<std::size_t>(dropped)] <= kWeightSlack<S>) KeepExit(candidate);
         careful.Take(candidate, IsOutside(candidate, dropped, added));
       }
