@@ -140,6 +140,23 @@ DifferencePoint<float> FloatPointAt(float x, float y, float z) {
   return point;
 }
 
+// A facet with a slope of 0.004 misses the height by 2e-5 of it; its plane passes the exit at 1e-7.
+TEST(InnerApproximation, MoveToExit_OnASteepFacet_FindsThePlanesNearestPoint) {
+  const DifferencePoint<float> top = FloatPointAt(0.02f, 0.01f, 20);
+  auto inner = InnerApproximation<float>::FromInradius(0.1f, 0.5f);
+  ASSERT_TRUE(inner.Insert(top));
+  const float ceiling = inner.Height() * (1 - 2e-5f);
+  inner = InnerApproximation<float>::FromInradius(0.1f, 0.5f);
+  ASSERT_TRUE(inner.Insert(top, ceiling));
+  ASSERT_EQ(inner.Height(), ceiling);
+  ASSERT_LT(inner.Normal().z(), 0.01f);
+  inner.MoveToExit();
+  const Eigen::Vector3f point = inner.CorePoint1() - inner.CorePoint2();
+  EXPECT_LT((point - Eigen::Vector3f(0, 0, ceiling)).norm(), 1e-6f * ceiling);
+  EXPECT_NEAR(inner.Weight(0) + inner.Weight(1) + inner.Weight(2), 1, 1e-6);
+  for (int i = 0; i < 3; ++i) EXPECT_GE(inner.Weight(i), 0);
+}
+
 // A needle, from a soak run: the new facet passes the ceiling by 1e-4 of it, and the last digit of its corners can move
 // it by twice that.
 TEST(InnerApproximation, Insert_FacetOfANeedleAboveTheCeilingByRounding_IsTaken) {

@@ -21,6 +21,7 @@ struct FeatureExit {
   Vector<S, L> normal = Vector<S, L>::Unit(L - 1);
   std::array<S, L> weights{};  // Of the feature's points, convex.
   int size = 0;
+  bool is_rough = false;  // The feature's point may be off the ray by more than the weights' last digits.
 };
 
 /// Turns a facet's normal upwards and to unit length; false if the ray sees the facet edge-on.
@@ -60,6 +61,7 @@ template <class S>
   const S reach = std::max({LateralL1<S>(shifted_a), LateralL1<S>(shifted_b), LateralL1<S>(shifted_c)});
   if (!(LateralL1<S>(on_ray) <= kOffRay<S> * (reach + rounding) + corner_error)) return false;
   SetTriangleHeight(shifted_a.z(), shifted_b.z(), shifted_c.z(), exit);
+  exit.is_rough = true;
   return true;
 }
 

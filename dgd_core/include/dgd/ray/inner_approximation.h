@@ -106,6 +106,14 @@ class InnerApproximation {
     return true;
   }
 
+  /// For the last basis of a query: moves the weights to where their point is nearest to the exit. Where the ray meets
+  /// an edge, the basis turns about that from steep facets to flatter ones, and the height that the steepest one gave
+  /// stays: at a slope of 0.01 a rounding error across the ray is a hundred of it in the height. The point is then that
+  /// much below the exit, but not that far from the plane. Test: InnerApproximation.MoveToExit_*.
+  void MoveToExit() {
+    if (is_rough_) MoveRoughToExit();
+  }
+
   /// Lower bound on the height at which the ray leaves C, metres.
   S Height() const { return height_; }
   /// Outward unit normal of the approximation where the ray leaves it; its height is > 0 but for rounding.
@@ -163,6 +171,27 @@ class InnerApproximation {
   }
 
   const Point& PointOf(int i) const { return points_[static_cast<std::size_t>(i)].point; }
+
+  /// Of the feature's point, moved by the ball, from the exit at the height, metres.
+  Point OffExit(const std::array<S, L>& weights) const {
+    Point sum = rounding_ * normal_ - height_ * Point::Unit(L - 1);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(size_); ++i) sum += weights[i] * points_[i].point;
+    return sum;
+  }
+
+  [[gnu::cold, gnu::noinline]] void MoveRoughToExit() {
+    std::array<S, L> weights = weights_;
+    if (size_ == 2) {
+      ray_internal::MoveAlongSide<S, L>(PointOf(1) - PointOf(0), OffExit(weights), weights[0], weights[1]);
+    } else if constexpr (L == 3) {
+      if (size_ == 1) return;
+      const std::array<Point, 3> corners = {PointOf(0), PointOf(1), PointOf(2)};
+      const Point target = height_ * Point::UnitZ() - rounding_ * normal_;
+      ray_internal::MoveFromLongestSide<S, 3>(corners, target, weights);
+      ray_internal::MoveAlongSides<S, 3>(corners, target, weights);
+    }
+    if (OffExit(weights).squaredNorm() < OffExit(weights_).squaredNorm()) weights_ = weights;
+  }
 
   /// @param added  The candidate's last point.
   bool IsBelowCeiling(const Candidate& candidate, const Point& added) const {
@@ -325,6 +354,7 @@ class InnerApproximation {
     size_ = candidate.size;
     height_ = std::max(height_, std::min(candidate.height, ceiling_));
     normal_ = candidate.normal;
+    is_rough_ = candidate.is_rough || height_ != candidate.height;
     if constexpr (L == 3) {
       // Counterclockwise about the ray, which OutgoingIndex relies on.
       if (size_ == 3 && ray_internal::Cross<S>(PointOf(1) - PointOf(0), PointOf(2) - PointOf(0)) < 0) {
@@ -347,6 +377,7 @@ class InnerApproximation {
   S height_ = 0;
   S ceiling_ = std::numeric_limits<S>::infinity();
   int size_ = 0;
+  bool is_rough_ = false;  // The weights' point may not be the exit.
 };
 
 }  // namespace dgd

@@ -41,6 +41,7 @@ class RayIntersection {
     if (!(difference_.Inradius() > 0)) return Status::kNoInterior;
     const bool coincident = difference_.Length() <= kCoincidence<S> * difference_.Inradius();
     const Status status = coincident ? MeasureAlongAnyNormal(warm_start) : Improve(question, warm_start, observer);
+    if (!coincident && status != Status::kSeparated) Settle();
     if (warm_start != nullptr) Remember(status, *warm_start);
     return status;
   }
@@ -154,6 +155,13 @@ class RayIntersection {
   /// The higher of the inner approximations before and after a restart.
   const InnerApproximation<S, L>& Inner() const {
     return has_restarted_ && reached_.Height() > inner_.Height() ? reached_ : inner_;
+  }
+
+  /// After the last direction, where the answer comes with witness points: the basis that the bound is from, and its
+  /// best weights.
+  void Settle() {
+    if (has_restarted_ && reached_.Height() > inner_.Height()) inner_ = reached_;
+    inner_.MoveToExit();
   }
 
   /// Alg. 1: the difference of the centres if there is a ball about it, else a facet in the inradius.

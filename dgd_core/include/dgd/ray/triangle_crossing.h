@@ -129,6 +129,25 @@ void MoveAlongSides(const std::array<Vector<S, D>, 3>& corners, const Vector<S, 
   }
 }
 
+/// Shifts weight between the longest side and the corner opposite, as far as the weights allow.
+template <class S, int D>
+void MoveFromLongestSide(const std::array<Vector<S, D>, 3>& corners, const Vector<S, D>& target,
+                         std::array<S, 3>& weights) {
+  const std::size_t from = LongestSide<S, D>(corners), to = (from + 1) % 3, top = (from + 2) % 3;
+  const Vector<S, D> side = corners[to] - corners[from], slanted = corners[top] - corners[from];
+  // The foot of the corner's altitude is on the longest side.
+  const S foot = std::clamp(slanted.dot(side) / side.squaredNorm(), S(0), S(1));
+  const Vector<S, D> altitude = slanted - foot * side;
+  const Vector<S, D> off = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2] - target;
+  S shift = std::max(-weights[top], -off.dot(altitude) / altitude.squaredNorm());
+  if (foot < 1) shift = std::min(shift, weights[from] / (1 - foot));
+  if (foot > 0) shift = std::min(shift, weights[to] / foot);
+  if (!std::isfinite(shift)) return;  // Corners on a line.
+  weights[top] += shift;
+  weights[from] -= shift * (1 - foot);
+  weights[to] -= shift * foot;
+}
+
 /// Normal of a sliver, from the corner opposite its longest side; see EdgeArea.
 template <class S>
 struct SliverNormal {
