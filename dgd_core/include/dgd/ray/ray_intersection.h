@@ -139,17 +139,15 @@ class RayIntersection {
   /// a quarter.
   Point NormalBetween() const { return (outer_.Normal() + inner_.Normal()).normalized(); }
 
-  /// Second-order steps bring points of the same pieces close together, and a basis of such can lose its digits. Then
-  /// cutting planes alone finish the query, from a new basis; the bounds keep what was reached. Once.
-  bool Restart() {
-    if constexpr (Difference::kIsSmooth) {
-      if (has_restarted_ || !settings_.second_order) return false;
-      has_restarted_ = true;
-      reached_ = inner_;
-      InitializeInner();
-      return true;
-    }
-    return false;
+  /// A basis can lose its digits: second-order steps bring points of the same pieces close together, and steep or thin
+  /// facets of polytopes magnify the rounding of their corners. Then cutting planes alone finish the query, from a new
+  /// basis; the bounds keep what was reached. Once.
+  [[gnu::cold, gnu::noinline]] bool Restart() {
+    if (has_restarted_) return false;
+    has_restarted_ = true;
+    reached_ = inner_;
+    InitializeInner();
+    return true;
   }
 
   /// The higher of the inner approximations before and after a restart.
