@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -34,7 +35,7 @@ const Vector2d kPlace(1.5, -0.75);
 template <class S>
 class PlaneAnalytic : public ::testing::Test {
  protected:
-  static constexpr double kGrowthDistances[] = {0.125, 0.5, 1.0, 3.0, 20.0};
+  static constexpr std::array kGrowthDistances = {0.125, 0.5, 1.0, 3.0, 20.0};
 
   /// Set 2's frame `way` from set 1's, as they stand and turned about together; in both orders; cold, then warm after a
   /// little motion. `normal` is zero where there is more than one.
