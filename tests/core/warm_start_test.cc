@@ -85,6 +85,32 @@ TEST(WarmStart, MeshesAfterOnePercentMotion_NeedFewerIterationsWithAllPointsThat
   EXPECT_LT(double(all), 0.95 * double(basis));
 }
 
+// A query that the first direction ends meets no other points: those of the query before are still of use.
+TEST(WarmStart, PairAtRest_KeepsThePointsThatAreKnown) {
+  Random random(TestSeed());
+  const int pairs = 100;
+  int with_points = 0;
+  for (int i = 0; i < pairs; ++i) {
+    ReferencePair reference;
+    reference.set_1 = RandomHull(random, 16, 0.5, 0);
+    reference.set_2 = RandomHull(random, 16, 0.5, 0);
+    PlaceRandomly(random, reference, {.closest = 0.2, .farthest = 5});
+    const SolverPair<double> pair(reference);
+    dgd::WarmStart<double> warm_start;
+    (void)pair.GrowthDistance({}, &warm_start);
+    const dgd::WarmStart<double> first = warm_start;
+    if (pair.GrowthDistance({}, &warm_start).iterations != 1) continue;
+    EXPECT_EQ(warm_start.known_size, first.known_size);
+    const auto begin = static_cast<std::size_t>(first.size), end = begin + static_cast<std::size_t>(first.known_size);
+    for (std::size_t k = begin; k < end; ++k) {
+      EXPECT_EQ(warm_start.features_1[k], first.features_1[k]);
+      EXPECT_EQ(warm_start.features_2[k], first.features_2[k]);
+    }
+    if (first.known_size > 0) ++with_points;
+  }
+  EXPECT_GT(with_points, pairs / 2);
+}
+
 TEST(WarmStart, PolytopesAfterOnePercentMotion_NeedFewerIterations) {
   CompareIterations(0);
   CompareIterations(0.04);

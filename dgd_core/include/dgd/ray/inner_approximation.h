@@ -159,9 +159,6 @@ class InnerApproximation {
 
   /// Steep features magnify the rounding of their points to heights that are off by less than this part.
   static constexpr S kCeilingSlack = sizeof(S) == 8 ? 4 * kSqrtEpsilon<S> : kSqrtEpsilon<S> / 16;
-  /// ... and planes that pass the ceiling on the ray at a distance of less than this times the rounding of their
-  /// points.
-  static constexpr S kCeilingUnits = 1;
 
   template <class Part>
   Point Combine(Part part) const {
@@ -198,10 +195,10 @@ class InnerApproximation {
     return candidate.height <= ceiling_ + kCeilingSlack * ceiling_ || IsBelowCeilingButForSlope(candidate, added);
   }
 
-  /// Of needles the flattest feature there is may be so steep that no height is nearer to the ceiling: then it is the
-  /// distance from the plane that tells rounding.
+  /// Of needles the flattest feature there is may be so steep that no height is nearer to the ceiling: then its plane
+  /// must pass the ceiling's point on the ray within the last digit of its points.
   [[gnu::cold, gnu::noinline]] bool IsBelowCeilingButForSlope(const Candidate& candidate, const Point& added) const {
-    return (candidate.height - ceiling_) * candidate.normal[L - 1] <= kCeilingUnits * kEpsilon<S> * Reach(added);
+    return (candidate.height - ceiling_) * candidate.normal[L - 1] <= kEpsilon<S> * Reach(added);
   }
 
   bool BasisExit(const std::array<DifferencePoint<S, L>, L>& basis, int size, Candidate& candidate) const {

@@ -27,7 +27,7 @@ class KnownPoints {
  public:
   using Point = Vector<S, L>;
 
-  /// Of older points the oldest is forgotten: half as many cost meshes 5 % more directions, twice as many save 1 %.
+  /// Of older points the oldest is forgotten: four cost meshes 5 % more directions, twelve save 1 %.
   static constexpr std::size_t kCapacity = 8;
 
   /// @param support  Of C; its parts from the two sets are what is remembered.

@@ -115,16 +115,23 @@ std::size_t LongestSide(const std::array<Vector<S, D>, 3>& corners) {
   return length_sq(2) > length_sq(longest) ? 2 : longest;
 }
 
+/// How far the weighted sum of the corners is off its target, metres.
+template <class S, int D>
+Vector<S, D> OffTarget(const std::array<Vector<S, D>, 3>& corners, const std::array<S, 3>& weights,
+                       const Vector<S, D>& target) {
+  return weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2] - target;
+}
+
 /// The flatter a sliver, the fewer digits its weights have; but what they are off by runs along its longest side, and a
 /// shift of weight from one end of that to the other takes it away. Where an end has no weight to give, the other two
 /// sides, which run nearly the same way, do the rest. Test: SliverExit.WeightsOffAlongASideButTheLongest_*.
-/// @param corners  And their target: points, metres, of which the weighted sum is to come near to the target.
+/// @param target  What the weighted sum of the corners is to come near to, metres.
 template <class S, int D>
 void MoveAlongSides(const std::array<Vector<S, D>, 3>& corners, const Vector<S, D>& target, std::array<S, 3>& weights) {
   const std::size_t longest = LongestSide<S, D>(corners);
   for (std::size_t i = longest; i < longest + 3; ++i) {
     const std::size_t from = i % 3, to = (i + 1) % 3;
-    const Vector<S, D> off = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2] - target;
+    const Vector<S, D> off = OffTarget(corners, weights, target);
     MoveAlongSide<S, D>(corners[to] - corners[from], off, weights[from], weights[to]);
   }
 }
@@ -138,7 +145,7 @@ void MoveFromLongestSide(const std::array<Vector<S, D>, 3>& corners, const Vecto
   // The foot of the corner's altitude is on the longest side.
   const S foot = std::clamp(slanted.dot(side) / side.squaredNorm(), S(0), S(1));
   const Vector<S, D> altitude = slanted - foot * side;
-  const Vector<S, D> off = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2] - target;
+  const Vector<S, D> off = OffTarget(corners, weights, target);
   S shift = std::max(-weights[top], -off.dot(altitude) / altitude.squaredNorm());
   if (foot < 1) shift = std::min(shift, weights[from] / (1 - foot));
   if (foot > 0) shift = std::min(shift, weights[to] / foot);

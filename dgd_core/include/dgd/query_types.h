@@ -1,0 +1,124 @@
+// What a query of the growth distance takes and gives: settings, results, and the state between queries of a pair.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "dgd/convex_set.h"
+#include "dgd/ray/tolerances.h"
+#include "dgd/types.h"
+
+namespace dgd {
+
+/// How a query ended. Every field of the result is set whatever the status.
+enum class Status : std::uint8_t {
+  kOptimal,            ///< The bounds agree within the tolerance.
+  kSeparated,          ///< Stopped early: apart by more than asked for, along `normal`.
+  kColliding,          ///< Collision check only: a common point is certain.
+  kTouching,           ///< Collision check only: the bounds agree within the tolerance, and 1 lies between them.
+  kCoincidentCenters,  ///< The centres coincide within rounding: growth distance 0, and any normal is as good.
+  kIterationLimit,     ///< The bounds are valid but apart by more than the tolerance.
+  kStalled,            ///< As kIterationLimit: rounding allows no further progress.
+  kNoInterior,         ///< Neither set has an interior: no growth distance exists (paper, Rem. 1).
+  kInvalidInput,       ///< NaN or infinity in a pose, radius or core. No other field is usable.
+};
+
+template <class S>
+struct Settings {
+  /// Largest relative gap upper_bound / lower_bound - 1 of an optimal result; > 0. Polytopes reach rounding error
+  /// whatever this is (paper, Sec. III-C4).
+  S relative_tolerance = kSqrtEpsilon<S>;
+  /// Most evaluations of the support functions; >= 1.
+  int max_iterations = 100;
+  /// Stop with kSeparated once the sets are certain to be farther apart than this; metres, >= 0, infinite for never.
+  /// With a warm start the last normal is tried before anything else: a pair that stays apart costs one evaluation.
+  S separation_limit = std::numeric_limits<S>::infinity();
+
+  /// For comparison only; there is no other reason to turn these off.
+  bool second_order = true;   ///< Second-order steps on curved cores (ray/second_order_step.h).
+  bool rounding = true;       ///< Radii kept apart from the cores (ray/inner_approximation.h).
+  bool known_points = true;   ///< Support points of the two sets combined anew (ray/known_points.h).
+  bool half_way_cuts = true;  ///< On curved cores, between two normals (NormalBetween() in ray/ray_intersection.h).
+};
+
+/// What an observer of a query is told after each iteration: the bounds of Result so far, which only approach each
+/// other, for convergence plots.
+template <class S, int L>
+struct Iterate {
+  int iteration;               ///< From 1.
+  S lower_bound, upper_bound;  ///< On the growth distance.
+  Vector<S, L> normal;         ///< Of the lowest supporting plane so far: world frame, unit length.
+};
+
+/// Costs nothing.
+struct NoObserver {};
+
+template <class S, int L = 3>
+struct Result {
+  Status status = Status::kInvalidInput;
+  int iterations = 0;  ///< Evaluations of the support functions.
+
+  /// Bounds on the growth distance, dimensionless, 0 <= lower <= upper. The upper one is reached by the witness points
+  /// (primal), the lower one is proven by the normal (dual). 0 and infinite if unknown.
+  S lower_bound = 0;
+  S upper_bound = std::numeric_limits<S>::infinity();
+
+  /// Unit vector from set 1 to set 2 in the world, normal to the plane that proves the lower bound. The exact contact
+  /// normal where the sets touch; elsewhere it depends on the centres.
+  Vector<S, L> normal = Vector<S, L>::UnitX();
+  /// Distance of the sets along `normal` between their supporting planes, metres, certain: if positive, they are at
+  /// least this far apart; if negative, moving set 2 by its absolute value along `normal` makes them touch.
+  S separation = 0;
+
+  /// Points of set 1 and set 2 in the world, metres, that coincide when both sets are scaled by upper_bound about
+  /// their centres (paper, eq. primal-optimal-from-ray-intersection). Zero where upper_bound is infinite, as it is when
+  /// kSeparated came before any point was found.
+  Vector<S, L> witness_1 = Vector<S, L>::Zero();
+  Vector<S, L> witness_2 = Vector<S, L>::Zero();
+
+  /// The growth distance: the primal value, never below the true one.
+  S GrowthDistance() const { return upper_bound; }
+  /// upper_bound / lower_bound - 1.
+  S RelativeGap() const { return upper_bound / lower_bound - 1; }
+};
+
+/// State of one pair of sets from one query to the next, in this order of the sets; default-made for a cold start.
+/// Stays correct (a start is only a start) whatever happened to the sets in between, but for vertices that no longer
+/// exist, which are ignored.
+template <class S, int L = 3>
+struct WarmStart {
+  static constexpr int kCapacity = L + 4;  ///< Four more than a basis has save one of six directions on moving meshes.
+
+  Vector<S, L> normal_1 = Vector<S, L>::Zero();  ///< Last normal, in set 1's frame; zero for none.
+  /// Points of the Minkowski difference by the features of the two cores: the last basis of the inner approximation,
+  /// then what else was met.
+  std::array<FeatureId, kCapacity> features_1{}, features_2{};
+  std::int32_t size = 0;        ///< Points in the basis; 0 if the sets were apart by more than asked for.
+  std::int32_t known_size = 0;  ///< Points after these.
+};
+static_assert(sizeof(WarmStart<double>) <= 128, "must fit into a Bullet algorithm object beside the rest");
+
+template <class Set>
+using ResultOf = Result<typename Set::Scalar, kDimension<typename Set::Core>>;
+template <class Set>
+using WarmStartOf = WarmStart<typename Set::Scalar, kDimension<typename Set::Core>>;
+
+template <class S, int L = 3>
+struct CollisionResult {
+  /// kSeparated, kColliding or kTouching; or one of the failures of Status.
+  Status status = Status::kInvalidInput;
+  int iterations = 0;
+  /// kSeparated: unit normal from set 1 to set 2 of a plane between them, world.
+  Vector<S, L> normal = Vector<S, L>::UnitX();
+  /// kSeparated: distance of the sets along the normal, metres, > 0.
+  S separation = 0;
+  /// kSeparated: a point on the plane half way between the sets. kColliding: a point of both sets. kTouching: a point
+  /// within the tolerance of both. World, metres.
+  Vector<S, L> point = Vector<S, L>::Zero();
+};
+
+template <class Set>
+using CollisionResultOf = CollisionResult<typename Set::Scalar, kDimension<typename Set::Core>>;
+
+}  // namespace dgd

@@ -1,0 +1,101 @@
+// What growth_distance.h declares, by way of the last normal and RayIntersection.
+#pragma once
+
+#include <cmath>
+
+#include "dgd/growth_distance.h"
+#include "dgd/ray/ray_intersection.h"
+
+namespace dgd {
+
+/// Tries the normal along which the sets were apart at the last query, before any frame is made: two evaluations of
+/// support functions and a few dot products decide most pairs of a broadphase, which are apart and stay so.
+/// @param warm_start  HasNormal().
+/// @return whether the sets are farther apart along it than `limit`; the result then says so.
+template <class Set1, class Set2>
+[[gnu::flatten]] bool SeparatedAlongLastNormal(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
+                                               const PoseOf<Set1>& pose_2, typename Set1::Scalar limit,
+                                               const WarmStartOf<Set1>& warm_start, ResultOf<Set1>& result) {
+  using S = typename Set1::Scalar;
+  using Point = VectorOf<typename Set1::Core>;
+  const Point& normal_1 = warm_start.normal_1;
+  const Point normal = pose_1.rotation * normal_1;
+  const Point normal_2 = pose_2.rotation.transpose() * -normal;
+  const Point support_1 = set_1.core.Support(normal_1).point;
+  const Point support_2 = set_2.core.Support(normal_2).point;
+  const S separation = normal.dot(pose_2.translation - pose_1.translation) - normal_1.dot(support_1) -
+                       normal_2.dot(support_2) - set_1.radius - set_2.radius;
+  if (!(separation > limit && std::isfinite(separation))) return false;  // Also for NaN.
+
+  result.status = Status::kSeparated;
+  result.iterations = 1;
+  result.normal = normal;
+  result.separation = separation;
+  result.lower_bound = 1;  // The sets are apart.
+  return true;
+}
+
+template <class Set1, class Set2, class Observer>
+[[gnu::flatten]] ResultOf<Set1> GrowthDistance(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
+                                               const PoseOf<Set1>& pose_2,
+                                               const Settings<typename Set1::Scalar>& settings,
+                                               WarmStartOf<Set1>* warm_start, Observer&& observer) {
+  ResultOf<Set1> result;
+  if (warm_start != nullptr && warm_start->size == 0 && HasNormal(*warm_start) &&
+      SeparatedAlongLastNormal(set_1, pose_1, set_2, pose_2, settings.separation_limit, *warm_start, result)) {
+    return result;
+  }
+  RayIntersection<Set1, Set2> query(set_1, pose_1, set_2, pose_2, settings);
+  result.status = query.Solve(Question::kDistance, warm_start, observer);
+  result.iterations = query.Iterations();
+  if (result.status == Status::kInvalidInput || result.status == Status::kNoInterior) return result;
+  result.lower_bound = query.LowerBound();
+  result.upper_bound = query.UpperBound();
+  result.normal = query.Normal();
+  result.separation = query.Separation();
+  result.witness_1 = query.Witness1();
+  result.witness_2 = query.Witness2();
+  return result;
+}
+
+template <class Set1, class Set2>
+CollisionResultOf<Set1> DetectCollision(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
+                                        const PoseOf<Set1>& pose_2, const Settings<typename Set1::Scalar>& settings,
+                                        WarmStartOf<Set1>* warm_start) {
+  using S = typename Set1::Scalar;
+  CollisionResultOf<Set1> result;
+  ResultOf<Set1> apart;
+  if (warm_start != nullptr && warm_start->size == 0 && HasNormal(*warm_start) &&
+      SeparatedAlongLastNormal(set_1, pose_1, set_2, pose_2, S(0), *warm_start, apart)) {
+    result.status = Status::kSeparated;
+    result.iterations = apart.iterations;
+    result.normal = apart.normal;
+    result.separation = apart.separation;
+    const VectorOf<typename Set1::Core> support_1 = pose_1 * set_1.core.Support(warm_start->normal_1).point;
+    result.point = support_1 + (set_1.radius + apart.separation / 2) * apart.normal;
+    return result;
+  }
+  RayIntersection<Set1, Set2> query(set_1, pose_1, set_2, pose_2, settings);
+  const NoObserver observer;
+  result.status = query.Solve(Question::kCollision, warm_start, observer);
+  result.iterations = query.Iterations();
+  switch (result.status) {
+    case Status::kSeparated:
+      result.normal = query.Normal();
+      result.separation = query.Separation();
+      result.point = query.PointBetween();
+      break;
+    case Status::kCoincidentCenters:
+      result.status = Status::kColliding;
+      [[fallthrough]];
+    case Status::kColliding:
+    case Status::kTouching:
+      result.point = query.MeetingPoint();
+      break;
+    default:
+      break;
+  }
+  return result;
+}
+
+}  // namespace dgd
