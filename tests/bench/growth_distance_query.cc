@@ -6,6 +6,7 @@
 #include "dgd/certificate.h"
 #include "dgd/growth_distance.h"
 #include "dgd/shapes/polytope.h"
+#include "dgd/signed_distance.h"
 
 namespace dgd_bench {
 namespace {
@@ -81,6 +82,35 @@ class WarmQuery : public SolverQuery<double> {
   dgd::WarmStart<double> last_;
 };
 
+/// The growth distance, and from there to the least translation or the distance.
+class SignedDistanceQuery : public SolverQuery<double> {
+ public:
+  explicit SignedDistanceQuery(const HullPair& pair) : SolverQuery(pair) {}
+
+  double Time(int repeats) const override {
+    return MeanMicroseconds(repeats, [this] { Keep(Ask()); });
+  }
+
+  Judgement Judge(const HullPair& pair) const override {
+    const dgd::SignedDistanceResult<double> result = Ask();
+    Judgement judgement;
+    judgement.is_failure = result.status != dgd::Status::kOptimal;
+    judgement.normal_error = NormalError(pair, result.normal);
+    judgement.iterations = result.iterations;
+    return judgement;
+  }
+
+ private:
+  dgd::SignedDistanceResult<double> Ask() const {
+    dgd::WarmStart<double> warm_start;
+    const dgd::Result<double> growth = dgd::GrowthDistance(set_1_, pose_1_, set_2_, pose_2_, {}, &warm_start);
+    dgd::SignedDistanceResult<double> result =
+        dgd::SignedDistance(set_1_, pose_1_, set_2_, pose_2_, growth, &warm_start);
+    result.iterations += growth.iterations;
+    return result;
+  }
+};
+
 class CollisionQuery : public SolverQuery<double> {
  public:
   explicit CollisionQuery(const HullPair& pair) : SolverQuery(pair) {}
@@ -123,6 +153,9 @@ class CollisionQuery : public SolverQuery<double> {
 std::unique_ptr<Query> MakeColdQuery(const HullPair& pair) { return std::make_unique<ColdQuery<double>>(pair); }
 std::unique_ptr<Query> MakeColdFloatQuery(const HullPair& pair) { return std::make_unique<ColdQuery<float>>(pair); }
 std::unique_ptr<Query> MakeWarmQuery(const HullPair& pair) { return std::make_unique<WarmQuery>(pair); }
+std::unique_ptr<Query> MakeSignedDistanceQuery(const HullPair& pair) {
+  return std::make_unique<SignedDistanceQuery>(pair);
+}
 std::unique_ptr<Query> MakeCollisionQuery(const HullPair& pair) { return std::make_unique<CollisionQuery>(pair); }
 
 }  // namespace dgd_bench

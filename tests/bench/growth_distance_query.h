@@ -9,6 +9,8 @@ std::unique_ptr<Query> MakeColdQuery(const HullPair& pair);
 std::unique_ptr<Query> MakeColdFloatQuery(const HullPair& pair);
 /// Starts from what was found at the second hull's last pose.
 std::unique_ptr<Query> MakeWarmQuery(const HullPair& pair);
+/// And from there to the signed distance, cold.
+std::unique_ptr<Query> MakeSignedDistanceQuery(const HullPair& pair);
 /// Collision yes or no, cold.
 std::unique_ptr<Query> MakeCollisionQuery(const HullPair& pair);
 

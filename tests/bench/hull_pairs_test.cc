@@ -23,7 +23,7 @@ TEST_P(HullPairsTest, FewPairs_TableHoldsEveryRowAndNoQueryFails) {
   }
   for (const char* method :
        {"Bullet GJK/EPA, cold  ", "growth distance, double, cold  ", "growth distance, double, warm  ",
-        "growth distance, float, cold  ", "collision yes/no, double, cold  "}) {
+        "growth distance, float, cold  ", "signed distance, double, cold  ", "collision yes/no, double, cold  "}) {
     EXPECT_EQ(Count(outcome.output, method), 10) << method << '\n' << outcome.output;
   }
 }

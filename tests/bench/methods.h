@@ -14,6 +14,7 @@ inline constexpr std::array kMethods = {
     Method{"growth_distance", "growth distance, double, cold", MakeColdQuery, true},
     Method{"growth_distance_warm", "growth distance, double, warm", MakeWarmQuery, true},
     Method{"growth_distance_float", "growth distance, float, cold", MakeColdFloatQuery, false},
+    Method{"signed_distance", "signed distance, double, cold", MakeSignedDistanceQuery, true},
     Method{"collision", "collision yes/no, double, cold", MakeCollisionQuery, true},
 };
 

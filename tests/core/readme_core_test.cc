@@ -14,6 +14,7 @@
 #include "dgd/growth_distance.h"
 #include "dgd/half_space_distance.h"
 #include "dgd/shapes.h"
+#include "dgd/signed_distance.h"
 
 // The upper half of a ball, its flat side in the plane z = 0.
 class Dome {
@@ -77,6 +78,25 @@ TEST(ReadmeCore, Gradient_IsTheDifferenceQuotient) {
     };
     EXPECT_NEAR(gradient[axis], (moved(step) - moved(-step)) / (2 * step), 1e-3) << axis;
   }
+}
+
+TEST(ReadmeCore, SignedDistance_IsBetweenTheNearestPoints) {
+  const dgd::RoundedSet set_1{dgd::Box<double>({0.5, 0.5, 0.5})};
+  const dgd::RoundedSet set_2 = dgd::Sphere(0.25);
+  const dgd::Pose<double> pose_1;
+  dgd::Pose<double> pose_2;
+  pose_2.translation = {0.2, 0.1, 2};
+
+  dgd::WarmStart<double> warm_start;
+  const dgd::Result<double> growth = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2, {}, &warm_start);
+  const dgd::SignedDistanceResult<double> distance =
+      dgd::SignedDistance(set_1, pose_1, set_2, pose_2, growth, &warm_start);
+
+  EXPECT_EQ(distance.status, dgd::Status::kOptimal);
+  EXPECT_NEAR(distance.separation, 1.25, 1e-12);
+  EXPECT_NEAR(distance.upper_bound, 1.25, 1e-12);
+  EXPECT_NEAR((distance.witness_1 - Eigen::Vector3d(0.2, 0.1, 0.5)).norm(), 0, 1e-12);
+  EXPECT_NEAR((distance.witness_2 - Eigen::Vector3d(0.2, 0.1, 1.75)).norm(), 0, 1e-12);
 }
 
 TEST(ReadmeCore, Plane_HasItsOwnSetsAndPoses) {
@@ -212,7 +232,7 @@ TEST(ReadmeCore, Snippets_AreTheseWordForWord) {
     }
   }
   EXPECT_FALSE(in_snippet);
-  EXPECT_EQ(snippets, 9);
+  EXPECT_EQ(snippets, 10);
 }
 
 }  // namespace

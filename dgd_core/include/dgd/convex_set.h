@@ -85,6 +85,13 @@ concept HintedCore = ConvexCore<Core> && requires(const Core& core, const Vector
   { core.Support(direction, hint) } -> std::same_as<SupportPoint<typename Core::Scalar, kDimension<Core>>>;
 };
 
+/// A core whose support points are less exact than its scalar's rounding: evaluated in a smaller type, or iterated.
+///  * Accuracy(): their error, relative to the core's size.
+template <class Core>
+concept InexactCore = ConvexCore<Core> && requires(const Core& core) {
+  { core.Accuracy() } -> std::convertible_to<typename Core::Scalar>;
+};
+
 /// A core whose centre may move within it. MoveCenterNear(p) puts it as near to the point p (in the core's frame) as
 /// the inradius about it allows: a wide flat body, scaled about a far centre, would draw its border in by its width
 /// times the overlap's part, past a partner that stands on it; about a near one, it acts as if only that part were

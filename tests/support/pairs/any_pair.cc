@@ -59,6 +59,17 @@ dgd::CollisionResult<S, L> AnyPair<S, L>::DetectCollision(const dgd::Settings<S>
 }
 
 template <class S, int L>
+dgd::SignedDistanceResult<S> AnyPair<S, L>::SignedDistance(const dgd::Result<S>& growth,
+                                                           const dgd::WarmStart<S>* warm_start,
+                                                           const dgd::Settings<S>& settings) const requires(L == 3) {
+  return std::visit(
+      [&](const auto& a, const auto& b) {
+        return dgd::SignedDistance(a, pose_1_, b, pose_2_, growth, warm_start, settings);
+      },
+      set_1_, set_2_);
+}
+
+template <class S, int L>
 dgd::Certificate AnyPair<S, L>::Certify(const dgd::Result<S, L>& result) const {
   return std::visit([&](const auto& a, const auto& b) { return dgd::Certify(a, pose_1_, b, pose_2_, result); }, set_1_,
                     set_2_);

@@ -6,6 +6,7 @@
 
 #include "dgd/certificate.h"
 #include "dgd/growth_distance.h"
+#include "dgd/signed_distance.h"
 #include "support/pairs/erased_core.h"
 #include "support/pairs/set_numbers.h"
 
@@ -31,6 +32,9 @@ class AnyPair {
                                    const Observer& observer = {}) const;
   dgd::CollisionResult<S, L> DetectCollision(const dgd::Settings<S>& settings,
                                              dgd::WarmStart<S, L>* warm_start = nullptr) const;
+  dgd::SignedDistanceResult<S> SignedDistance(const dgd::Result<S>& growth,
+                                              const dgd::WarmStart<S>* warm_start = nullptr,
+                                              const dgd::Settings<S>& settings = {}) const requires(L == 3);
   dgd::Certificate Certify(const dgd::Result<S, L>& result) const;
 
   /// A farthest point of the set along a unit vector, in the world, from the set's centre.

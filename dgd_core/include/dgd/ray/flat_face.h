@@ -76,7 +76,9 @@ template <class Difference>
                                                typename Difference::Point& normal) {
   std::array<typename Difference::Feature, 3> corners;
   for (const bool of_first : {true, false}) {
-    normal = of_first ? difference.FaceNormal1(features.feature_1) : difference.FaceNormal2(features.feature_2);
+    // The pose may have been rounded to float: its rotation does not quite keep lengths.
+    normal = (of_first ? difference.FaceNormal1(features.feature_1) : difference.FaceNormal2(features.feature_2))
+                 .normalized();
     if (FlatFace<Difference>(difference, features, normal).HoldsRay(corners)) {
       inner.AdoptBasis(corners, 3);
       return true;

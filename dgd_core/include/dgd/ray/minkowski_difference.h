@@ -5,6 +5,7 @@
 // "the basis holds the ray" is a question across it (Sec. III-D, Numerical Robustness).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -147,6 +148,19 @@ class MinkowskiDifference {
     return curved;
   }
 
+  /// How the point of two features that is farthest along a unit vector moves with that, seen across it; metres.
+  /// @param tangents  Rows: the unit vectors across `normal` that the derivative is in.
+  [[gnu::noinline]] SquareMatrix<S, L - 1> Curvature(
+      FeatureId feature_1, FeatureId feature_2, const Point& normal,
+      const Eigen::Matrix<S, L - 1, L>& tangents) const requires kIsSmooth {
+    const Eigen::Matrix<S, L - 1, L> across_1 = tangents * to_frame_1_, across_2 = tangents * to_frame_2_;
+    const CurvedPoint<S, L> curved_1 = OfFeature(set_1_.core, feature_1, to_frame_1_.transpose() * normal);
+    const CurvedPoint<S, L> curved_2 = OfFeature(set_2_.core, feature_2, to_frame_2_.transpose() * -normal);
+    return across_1 * curved_1.derivative * across_1.transpose() +
+           across_2 * curved_2.derivative * across_2.transpose() +
+           (inflation_1_ + inflation_2_) * SquareMatrix<S, L - 1>::Identity();
+  }
+
   /// Outward normal of the flat face that a feature of set 1 (of set 2) bounds, ray frame; zero if there is none.
   Point FaceNormal1(FeatureId feature) const {
     if constexpr (FacedCore<typename Set1::Core>) return to_frame_1_ * set_1_.core.FaceNormal(feature);
@@ -160,6 +174,7 @@ class MinkowskiDifference {
   Point DirectionToFrame(const Point& direction_1) const { return to_frame_1_ * direction_1; }
   Point DirectionToSet1(const Point& direction) const { return to_frame_1_.transpose() * direction; }
   Point DirectionToWorld(const Point& direction) const { return frame_ * direction; }
+  Point DirectionFromWorld(const Point& direction) const { return frame_.transpose() * direction; }
 
   /// World points of set 1 and set 2, from the cores' points in the ray frame about the centres.
   Point World1(const Point& core_point, const Point& normal) const {
@@ -168,6 +183,8 @@ class MinkowskiDifference {
   Point World2(const Point& core_point, const Point& normal) const {
     return center_2_ + frame_ * (core_point - (rounding_ > 0 ? set_2_.radius : S(0)) * normal);
   }
+  /// Error of support points beyond the scalar's rounding, relative to their size.
+  S Accuracy() const { return std::max(AccuracyOf(set_1_.core), AccuracyOf(set_2_.core)); }
   const Point& Center1() const { return center_1_; }
   const Point& Center2() const { return center_2_; }
 
@@ -184,6 +201,15 @@ class MinkowskiDifference {
       return core.Support(direction, hint);
     } else {
       return core.Support(direction);
+    }
+  }
+
+  template <class Core>
+  static S AccuracyOf([[maybe_unused]] const Core& core) {
+    if constexpr (InexactCore<Core>) {
+      return core.Accuracy();
+    } else {
+      return 0;
     }
   }
 

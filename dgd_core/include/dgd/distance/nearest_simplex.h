@@ -1,0 +1,141 @@
+// The simplex of GJK: the point, side or triangle of a few points of a convex set that is nearest to the origin.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "dgd/ray/minkowski_difference.h"
+#include "dgd/types.h"
+
+namespace dgd {
+
+/// Convex weights of the point of triangle (a, b, c) nearest to the origin; the triangle may be degenerate. Its inside
+/// and all three sides are tried: on a sliver the inside's weights have lost their digits, and a side is nearer.
+template <class S>
+std::array<S, 3> WeightsOfNearest(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c) {
+  const std::array<const Vector3<S>*, 3> corners{&a, &b, &c};
+  std::array<S, 3> nearest{};
+  S least = std::numeric_limits<S>::infinity();
+  const auto take_if_nearer = [&](const std::array<S, 3>& weights) {
+    const S distance_sq = (weights[0] * a + weights[1] * b + weights[2] * c).squaredNorm();
+    if (!(distance_sq < least)) return;
+    least = distance_sq;
+    nearest = weights;
+  };
+  const Vector3<S> normal = (b - a).cross(c - a);
+  const std::array<S, 3> parts{normal.dot(b.cross(c)), normal.dot(c.cross(a)), normal.dot(a.cross(b))};
+  const S sum = parts[0] + parts[1] + parts[2];
+  if (sum > 0 && parts[0] >= 0 && parts[1] >= 0 && parts[2] >= 0) {
+    take_if_nearer({parts[0] / sum, parts[1] / sum, parts[2] / sum});
+  }
+  for (std::size_t from = 0; from < 3; ++from) {
+    const std::size_t to = (from + 1) % 3;
+    const Vector3<S> side = *corners[to] - *corners[from];
+    const S length_sq = side.squaredNorm();
+    std::array<S, 3> weights{};
+    weights[to] = length_sq > 0 ? std::clamp(-side.dot(*corners[from]) / length_sq, S(0), S(1)) : S(0);
+    weights[from] = 1 - weights[to];
+    take_if_nearer(weights);
+  }
+  return nearest;
+}
+
+/// Up to three points, all of which have a weight in the point of their hull that is nearest to the origin.
+template <class S>
+class NearestSimplex {
+ public:
+  using Feature = DifferencePoint<S, 3>;
+
+  NearestSimplex() = default;
+
+  /// Of up to three points.
+  NearestSimplex(const std::array<Feature, 3>& points, std::size_t size) : points_(points), size_(size) {
+    if (size_ > 0) Reduce();
+  }
+
+  /// Whether the simplex is a triangle that makes a tetrahedron with `apex` which holds the origin.
+  bool HoldsOriginWith(const Vector3<S>& apex) const {
+    if (size_ < 3) return false;
+    const Vector3<S>&a = points_[0].point, &b = points_[1].point, &c = points_[2].point;
+    const auto volume = [](const Vector3<S>& x, const Vector3<S>& y, const Vector3<S>& z) { return x.dot(y.cross(z)); };
+    const std::array<S, 4> parts{volume(a, b, c), volume(apex, c, b), volume(apex, a, c), volume(apex, b, a)};
+    return std::ranges::all_of(parts, [](S part) { return part > 0; }) ||
+           std::ranges::all_of(parts, [](S part) { return part < 0; });
+  }
+
+  /// Adds a point, and keeps what of the hull of all is nearest to the origin and has that point.
+  void Add(const Feature& added) {
+    if (size_ < 3) {
+      points_[size_++] = added;
+      Reduce();
+      return;
+    }
+    std::size_t least_needed = 0;
+    S least = std::numeric_limits<S>::infinity();
+    for (std::size_t left_out = 0; left_out < 3; ++left_out) {
+      std::array<const Vector3<S>*, 3> corners{&points_[0].point, &points_[1].point, &points_[2].point};
+      corners[left_out] = &added.point;
+      const std::array<S, 3> weights = WeightsOfNearest<S>(*corners[0], *corners[1], *corners[2]);
+      const S distance_sq =
+          (weights[0] * *corners[0] + weights[1] * *corners[1] + weights[2] * *corners[2]).squaredNorm();
+      if (!(distance_sq < least)) continue;
+      least = distance_sq;
+      least_needed = left_out;
+    }
+    points_[least_needed] = added;
+    Reduce();
+  }
+
+  /// Unit vector from the nearest point to the origin, which is not on the simplex: across that, so that it keeps its
+  /// digits as the origin comes near.
+  Vector3<S> Normal() const {
+    if (size_ == 3) {
+      const Vector3<S> cross = Side(1).cross(Side(2));
+      return (cross.dot(nearest_) > 0 ? S(-1) : S(1)) * cross.normalized();
+    }
+    Vector3<S> across = -nearest_;
+    if (size_ == 2) across -= across.dot(Side(1)) / Side(1).squaredNorm() * Side(1);
+    return across.normalized();
+  }
+  /// The hull's point nearest to the origin.
+  const Vector3<S>& Nearest() const { return nearest_; }
+  /// The same with its part of set 1.
+  Feature Combination() const {
+    Feature sum;
+    for (std::size_t i = 0; i < size_; ++i) {
+      sum.point += weights_[i] * points_[i].point;
+      sum.on_1 += weights_[i] * points_[i].on_1;
+    }
+    return sum;
+  }
+  std::size_t Size() const { return size_; }
+  const Feature& operator[](std::size_t i) const { return points_[i]; }
+
+ private:
+  Vector3<S> Side(std::size_t to) const { return points_[to].point - points_[0].point; }
+
+  /// Finds the nearest point, and drops the points without weight.
+  void Reduce() {
+    const auto point = [&](std::size_t i) -> const Vector3<S>& { return points_[std::min(i, size_ - 1)].point; };
+    const std::array<S, 3> weights = WeightsOfNearest<S>(point(0), point(1), point(2));
+    std::array<S, 3> sums{};
+    for (std::size_t i = 0; i < 3; ++i) sums[std::min(i, size_ - 1)] += weights[i];
+    const std::size_t size = size_;
+    size_ = 0;
+    nearest_.setZero();
+    for (std::size_t i = 0; i < size; ++i) {
+      if (!(sums[i] > 0)) continue;
+      nearest_ += sums[i] * points_[i].point;
+      points_[size_] = points_[i];
+      weights_[size_++] = sums[i];
+    }
+  }
+
+  std::array<Feature, 3> points_;
+  std::array<S, 3> weights_{};
+  std::size_t size_ = 0;
+  Vector3<S> nearest_ = Vector3<S>::Zero();
+};
+
+}  // namespace dgd

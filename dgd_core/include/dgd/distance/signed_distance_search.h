@@ -1,0 +1,266 @@
+// How SignedDistance() works: it looks for the point of the Minkowski difference's border that is nearest to the origin
+// of the two positions, between the supporting planes that were met and an inner approximation.
+//
+//  * Rounding. C = K + ball(R), K the difference of the cores: the signed distance of C is that of K less R, along the
+//    same normal. So all is done on K, and polytopes with margins end exactly.
+//  * Start. The normal of the growth distance, and the basis of its inner approximation: for polytopes in contact face
+//    on face they are the answer already, and no support function is evaluated.
+//  * Apart. With the origin outside of K the problem is convex: GJK. The nearest point of a simplex gives the next
+//    direction, whose supporting plane bounds the distance from below.
+//  * Overlap. With the origin inside, every face of K that holds the origin's foot is a local minimum, and nothing but
+//    an inner approximation all around tells the least of them: an expanding polytope. Its nearest face bounds the
+//    depth from below, supporting planes from above; the best of these, from the growth distance on, says which faces
+//    need no look.
+//  * Curves. Newton's steps in between (normal_step.h), as long as they gain: the inner approximation of a smooth set
+//    alone converges linearly.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "dgd/distance/expanding_polytope.h"
+#include "dgd/distance/nearest_simplex.h"
+#include "dgd/distance/normal_step.h"
+#include "dgd/query_types.h"
+#include "dgd/ray/minkowski_difference.h"
+#include "dgd/ray/tolerances.h"
+
+namespace dgd {
+
+template <class Set1, class Set2>
+class SignedDistanceSearch {
+ public:
+  using Difference = MinkowskiDifference<Set1, Set2>;
+  using S = typename Difference::S;
+  using Point = Vector3<S>;
+  using Feature = DifferencePoint<S, 3>;
+  static_assert(Difference::L == 3, "the signed distance is for sets in space");
+
+  SignedDistanceSearch(const Set1& set_1, const Pose<S>& pose_1, const Set2& set_2, const Pose<S>& pose_2,
+                       const Settings<S>& settings)
+      : difference_(set_1, pose_1, set_2, pose_2), origin_(0, 0, difference_.Length()), settings_(settings) {}
+
+  /// @param growth      What is known: a normal and the separation along it. Without a status that says so, only a
+  ///                    direction.
+  /// @param warm_start  Points of K that may be near; nullptr for none.
+  Status Solve(const Result<S>& growth, const WarmStart<S>* warm_start) {
+    if (!difference_.IsFinite()) return Status::kInvalidInput;
+    const Point normal = difference_.DirectionFromWorld(growth.normal).normalized();
+    if (!normal.allFinite()) return Status::kInvalidInput;
+    if (warm_start != nullptr) AddBasis(*warm_start);
+    if (simplex_.Size() == 0 || !IsCertain(growth.status)) {
+      simplex_.Add(Cut(normal));
+    } else {
+      best_.normal = normal;
+      best_.height = -growth.separation - difference_.Rounding();
+    }
+    return Approach();
+  }
+
+  int Iterations() const { return iterations_; }
+  Point Normal() const { return difference_.DirectionToWorld(best_.normal); }
+  S Separation() const { return -best_.height - difference_.Rounding(); }
+  S UpperBound() const { return std::max(nearest_ + Noise(), -best_.height) - difference_.Rounding(); }
+  Point Witness1() const { return difference_.World1(foot_.on_1, best_.normal); }
+  Point Witness2() const { return difference_.World2(foot_.on_1 - foot_.point - origin_, best_.normal); }
+
+ private:
+  /// A supporting plane of K.
+  struct Plane {
+    Point normal;
+    S height = std::numeric_limits<S>::infinity();  ///< Over the origin; metres.
+    Feature support;                                ///< A point on it, if it was met by Cut().
+    bool has_support = false;
+  };
+
+  static bool IsCertain(Status status) {
+    return status == Status::kOptimal || status == Status::kStalled || status == Status::kIterationLimit;
+  }
+
+  void AddBasis([[maybe_unused]] const WarmStart<S>& warm_start) {
+    if constexpr (Difference::kIsPolytope) {
+      std::array<Feature, 3> basis;
+      std::size_t size = 0;
+      for (std::size_t i = 0; i < static_cast<std::size_t>(warm_start.size); ++i) {
+        if (!difference_.HasFeatures(warm_start.features_1[i], warm_start.features_2[i])) continue;
+        basis[size++] = Shifted(difference_.FromVertices(warm_start.features_1[i], warm_start.features_2[i]));
+      }
+      simplex_ = {basis, size};
+    }
+  }
+
+  /// A point of K about the origin of the two positions, instead of the centres.
+  Feature Shifted(Feature point) {
+    size_ = std::max(size_, point.point.cwiseAbs().maxCoeff());
+    point.point -= origin_;
+    return point;
+  }
+
+  /// How far points of K may be off, metres.
+  S Rounding() const { return kUnits * kEpsilon<S> * std::max(size_, difference_.Length()); }
+  /// ... where the same vertex met twice may not be the same point.
+  S Noise() const { return std::max(Rounding(), difference_.Accuracy() * size_); }
+  /// Of an optimal result; polytopes end at rounding.
+  S Tolerance() const {
+    return Difference::kIsPolytope ? Rounding() : std::max(Rounding(), settings_.relative_tolerance * size_);
+  }
+  bool IsOptimal() const { return nearest_ + best_.height <= Tolerance(); }
+  /// Apart, the points are off by the root of the gap: for their sake more is asked for than the tolerance.
+  bool HasGoodPoints() const { return nearest_ + best_.height <= std::max(Rounding(), kForPoints * Tolerance()); }
+  bool IsExhausted() const { return iterations_ >= settings_.max_iterations; }
+
+  /// Not inlined: it is called from many places.
+  [[gnu::noinline]] Feature Cut(const Point& normal) {
+    ++iterations_;
+    const Feature support = Shifted(difference_.Support(normal, best_.support));
+    const S height = normal.dot(support.point);
+    if (height < best_.height) {
+      best_ = {normal, height, support, true};
+      is_news_ = true;
+      is_stationary_ = false;
+    }
+    return support;
+  }
+
+  /// Newton's step from a plane that is the best since the last one, else the inner approximation's normal.
+  Point NextNormal(const Point& inner_normal) {
+    if constexpr (Difference::kIsSmooth) {
+      if (is_news_ && best_.has_support) {
+        is_news_ = false;
+        const Matrix3<S> frame = FrameAlong<S>(best_.normal);
+        Eigen::Matrix<S, 2, 3> tangents;
+        tangents << frame.col(0).transpose(), frame.col(1).transpose();
+        const NormalStep<S> step = StepFrom<S>(
+            best_.normal, best_.support.point, tangents,
+            difference_.Curvature(best_.support.feature_1, best_.support.feature_2, best_.normal, tangents));
+        is_stationary_ = step.is_valid && step.gain <= Rounding();
+        if (step.is_valid && !is_stationary_) return step.next;
+      }
+    }
+    return inner_normal;
+  }
+
+  /// With the origin outside of K, or so it seems.
+  Status Approach() {
+    for (;;) {
+      nearest_ = simplex_.Nearest().norm();
+      if (nearest_ <= Rounding()) return Touch();
+      if (HasGoodPoints()) return Finish(Status::kOptimal, simplex_.Combination());
+      if (IsExhausted()) return Finish(Status::kIterationLimit, simplex_.Combination());
+      const Point own = simplex_.Normal();
+      const Point normal = NextNormal(own);
+      const Feature support = Cut(normal);
+      if (simplex_.HoldsOriginWith(support.point)) {
+        return Expand({simplex_[0], simplex_[1], simplex_[2], support});
+      }
+      NearestSimplex<S> grown = simplex_;
+      grown.Add(support);
+      if (grown.Nearest().squaredNorm() < simplex_.Nearest().squaredNorm()) {
+        simplex_ = grown;
+      } else if (normal == own) {
+        return Finish(Status::kStalled, simplex_.Combination());
+      }
+    }
+  }
+
+  /// The origin is on a feature of K, within rounding: on its border, where the signed distance is 0, or inside.
+  [[gnu::noinline]] Status Touch() {
+    std::array<Feature, 4> corners;
+    std::size_t size = simplex_.Size();
+    for (std::size_t i = 0; i < size; ++i) corners[i] = simplex_[i];
+    while (size < 4) {
+      if (!FindCorner(corners, size)) {
+        // K is flat: not a tetrahedron, and along the best plane's normal it has no extent.
+        return Finish(Status::kOptimal, simplex_.Combination());
+      }
+      ++size;
+    }
+    return Expand(corners);
+  }
+
+  /// Finds a point of K off the affine hull of the first `size` corners, in one of the directions across that.
+  bool FindCorner(std::array<Feature, 4>& corners, std::size_t size) {
+    const Point &a = corners[0].point, &b = corners[1].point, &c = corners[2].point;
+    Matrix3<S> axes;
+    int first = 0, last = 2;  // Of the columns that are across.
+    if (size == 1) {
+      axes = FrameAlong<S>(best_.normal);
+    } else if (size == 2) {
+      axes = FrameAlong<S>((b - a).normalized());
+      last = 1;
+    } else {
+      axes = FrameAlong<S>((b - a).cross(c - a).normalized());
+      first = 2;
+    }
+    for (int i = last; i >= first; --i) {
+      for (const S sign : {S(1), S(-1)}) {
+        const Point normal = sign * axes.col(i);
+        corners[size] = Cut(normal);
+        if (normal.dot(corners[size].point - a) > kFlat * Rounding()) return true;
+      }
+    }
+    return false;
+  }
+
+  /// With the origin inside K.
+  [[gnu::noinline]] Status Expand(const std::array<Feature, 4>& corners) {
+    nearest_ = std::numeric_limits<S>::infinity();
+    ExpandingPolytope<S> polytope(corners, Noise(), size_);
+    const auto finish = [&](Status status) { return Finish(status, polytope.NearestTo(best_.height * best_.normal)); };
+    for (;;) {
+      const auto& face = polytope.Nearest();
+      nearest_ = std::min(nearest_, -polytope.Inradius());
+      if (IsOptimal()) return finish(Status::kOptimal);
+      if (is_stationary_ && best_.height + nearest_ <= kElsewhere * best_.height) return finish(Status::kOptimal);
+      if (IsExhausted()) return finish(Status::kIterationLimit);
+      if (polytope.IsSliver(face)) return finish(Status::kStalled);
+      const Point own = face.normal;
+      const Point normal = NextNormal(own);
+      if (!polytope.Add(Cut(normal)) && normal == own) {
+        return finish(Status::kStalled);
+      }
+    }
+  }
+
+  /// Keeps the point of the inner approximation for the witness points; or a support point that is nearer to the
+  /// plane's foot, as of smooth sets it is. Each witness point is put on its set's supporting plane, which the inner
+  /// approximation is below by the gap.
+  /// @param status  How the search ended, unless the bounds agree all the same.
+  Status Finish(Status status, const Feature& of_inner) {
+    foot_ = of_inner;
+    if (best_.has_support) {
+      const Feature& support = best_.support;
+      const Point ideal = best_.height * best_.normal;
+      if ((support.point - ideal).squaredNorm() < (foot_.point - ideal).squaredNorm()) foot_ = support;
+      foot_.on_1 += best_.normal.dot(support.on_1 - foot_.on_1) * best_.normal;
+      foot_.point += best_.normal.dot(support.point - foot_.point) * best_.normal;
+    }
+    return IsOptimal() ? Status::kOptimal : status;
+  }
+
+  /// The rounding of a point of K, in last digits of its largest coordinate.
+  static constexpr S kUnits = 8;
+  /// What is asked for beyond the tolerance: two digits of the points.
+  static constexpr S kForPoints = S(1e-4);
+  /// A tetrahedron as flat as so many roundings has faces that know where they look.
+  static constexpr S kFlat = 1024;
+  /// Of smooth sets: by how much of the depth a normal elsewhere may be better for a local minimum to be the answer.
+  static constexpr S kElsewhere = S(0.01);
+
+  const Difference difference_;
+  const Point origin_;
+  S size_ = 0;  // Largest coordinate of a point of K about the centres, metres.
+  const Settings<S>& settings_;
+  NearestSimplex<S> simplex_;
+  Plane best_;
+  S nearest_ = std::numeric_limits<S>::infinity();  // Signed distance of K's inner approximation, metres.
+  Feature foot_;                                    // The witness points' difference, without radii.
+  int iterations_ = 0;
+  bool is_news_ = false;        // No Newton's step was taken from the best plane yet.
+  bool is_stationary_ = false;  // The best plane's normal is the best nearby.
+};
+
+}  // namespace dgd

@@ -1,0 +1,62 @@
+// The signed distance: how far two sets are apart, or the least translation that makes overlapping sets touch.
+//
+// The normal of the growth distance depends on the centres, but where the sets touch. This starts from it, and ends
+// with the normal along which the sets are farthest apart, or overlap least.
+#pragma once
+
+#include <limits>
+
+#include "dgd/distance/signed_distance_search.h"
+#include "dgd/query_types.h"
+
+namespace dgd {
+
+/// Separation along a normal n, s(n) = min over set 2 of <n, x> - max over set 1 of <n, x>, is a lower bound of the
+/// signed distance for any n, and equals it for the best one.
+template <class S>
+struct SignedDistanceResult {
+  /// kOptimal: the bounds agree within the tolerance, or no normal nearby is better and none elsewhere by much.
+  /// kStalled, kIterationLimit: they do not, and are valid all the same. kInvalidInput: no other field is usable.
+  Status status = Status::kInvalidInput;
+  int iterations = 0;  ///< Evaluations of the support functions.
+
+  /// Unit vector from set 1 to set 2 in the world.
+  Vector3<S> normal = Vector3<S>::UnitX();
+  /// Separation along `normal`, metres, certain. Negative: moving set 2 by its absolute value along `normal` makes the
+  /// sets touch.
+  S separation = 0;
+  /// Of the signed distance, metres: no normal separates the sets by more. For overlapping smooth sets not as sharp as
+  /// `separation`, by up to a hundredth of the depth: the normal is the best nearby, and this bounds all others.
+  S upper_bound = std::numeric_limits<S>::infinity();
+
+  /// Points on set 1 and set 2, world, metres: witness_2 - witness_1 = separation * normal, within the tolerance.
+  Vector3<S> witness_1 = Vector3<S>::Zero();
+  Vector3<S> witness_2 = Vector3<S>::Zero();
+};
+
+/// The signed distance of two sets in space, flat ones too.
+/// @param growth      Of GrowthDistance() for these sets and poses, whatever its status: the start.
+/// @param warm_start  Of the same call, or nullptr; its basis saves evaluations.
+/// @param settings    relative_tolerance is of the sets' size, for curved cores: polytopes end at rounding error.
+///                    max_iterations bounds the evaluations.
+/// Allocates nothing and does not throw. Method: distance/signed_distance_search.h.
+template <class Set1, class Set2>
+SignedDistanceResult<typename Set1::Scalar> SignedDistance(const Set1& set_1, const PoseOf<Set1>& pose_1,
+                                                           const Set2& set_2, const PoseOf<Set1>& pose_2,
+                                                           const ResultOf<Set1>& growth,
+                                                           const WarmStartOf<Set1>* warm_start = nullptr,
+                                                           const Settings<typename Set1::Scalar>& settings = {}) {
+  SignedDistanceSearch<Set1, Set2> search(set_1, pose_1, set_2, pose_2, settings);
+  SignedDistanceResult<typename Set1::Scalar> result;
+  result.status = search.Solve(growth, warm_start);
+  result.iterations = search.Iterations();
+  if (result.status == Status::kInvalidInput) return result;
+  result.normal = search.Normal();
+  result.separation = search.Separation();
+  result.upper_bound = search.UpperBound();
+  result.witness_1 = search.Witness1();
+  result.witness_2 = search.Witness2();
+  return result;
+}
+
+}  // namespace dgd

@@ -1,0 +1,102 @@
+// The signed distance of random pairs of all types, skewed, touching and aligned ones among them: what it says along
+// its normal is true, no other normal is better, and the witness points are that far apart.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "support/pairs/random_pair.h"
+
+namespace dgd_test {
+namespace {
+
+PairNumbers RandomPairOfAnyTypes(Random& random) {
+  constexpr LengthRange kLengths{0.02, 1};
+  PairNumbers pair;
+  do {
+    for (SetNumbers* set : {&pair.set_1, &pair.set_2}) {
+      SetType type;
+      do type = static_cast<SetType>(random.Below(static_cast<int>(kSetTypeCount)));
+      while (InfoOf(type).dimension != 3);
+      *set = RandomSetOf(random, type, kLengths, random.Flip());
+    }
+  } while (!pair.set_1.HasInterior() && !pair.set_2.HasInterior());
+  Place(random, static_cast<Placement>(random.Below(kPlacementCount)), pair);
+  return pair;
+}
+
+/// A plain box does not tell its vertices apart.
+bool IsKnownPolytope(SetType type) { return !InfoOf(type).is_curved && type != SetType::kPlainBox; }
+
+/// Along a unit vector, by the support functions alone.
+template <class S>
+double SeparationAlong(const AnyPair<S, 3>& pair, const Eigen::Vector3d& normal) {
+  return normal.dot(pair.Center(Which::kSecond) - pair.Center(Which::kFirst)) -
+         normal.dot(pair.SupportFromCenter(Which::kFirst, normal)) +
+         normal.dot(pair.SupportFromCenter(Which::kSecond, -normal));
+}
+
+/// Of random unit vectors, near `normal` and anywhere.
+template <class S>
+double BestOfOtherNormals(Random& random, const AnyPair<S, 3>& pair, const Eigen::Vector3d& normal) {
+  double best = -std::numeric_limits<double>::infinity();
+  for (const double distance : {1e-1, 1e-2, 1e-3, 1e-4}) {
+    for (int i = 0; i < 6; ++i) {
+      best = std::max(best, SeparationAlong(pair, (normal + distance * random.UnitVector()).normalized()));
+    }
+  }
+  for (int i = 0; i < 60; ++i) best = std::max(best, SeparationAlong(pair, random.UnitVector()));
+  return best;
+}
+
+template <class S>
+void CheckRandomPairs(int count) {
+  constexpr double kEpsilon = double(dgd::kEpsilon<S>), kGap = double(dgd::kSqrtEpsilon<S>);
+  Random random(TestSeed());
+  int overlaps = 0, unfinished = 0, unfinished_polytopes = 0;
+  for (int i = 0; i < count && !::testing::Test::HasFailure(); ++i) {
+    const PairNumbers numbers = RoundedToFloat(RandomPairOfAnyTypes(random));
+    const AnyPair<S, 3> pair(numbers);
+    dgd::WarmStart<S> warm_start;
+    const dgd::Result<S> growth = pair.GrowthDistance({}, &warm_start);
+    const dgd::SignedDistanceResult<S> result = pair.SignedDistance(growth, &warm_start);
+    const bool is_polytope = IsKnownPolytope(numbers.set_1.type) && IsKnownPolytope(numbers.set_2.type);
+    const double size = pair.Extent();
+    const double reach = size + (pair.Center(Which::kSecond) - pair.Center(Which::kFirst)).norm() +
+                         pair.Center(Which::kFirst).cwiseAbs().maxCoeff();
+    const double rounding = 64 * kEpsilon * reach;
+    SCOPED_TRACE("pair " + std::to_string(i) + "\n" + Dump(numbers));
+
+    const Eigen::Vector3d normal = result.normal.template cast<double>();
+    EXPECT_NEAR(normal.norm(), 1, 16 * kEpsilon);
+    EXPECT_NEAR(SeparationAlong(pair, normal.normalized()), double(result.separation), rounding);
+    EXPECT_GE(double(result.separation - growth.separation), -rounding) << int(growth.status);
+    EXPECT_LE(double(result.separation), double(result.upper_bound) + rounding);
+    const double other = BestOfOtherNormals(random, pair, normal.normalized());
+    EXPECT_LE(other, double(result.upper_bound) + rounding);
+
+    overlaps += result.separation < 0;
+    const bool is_finished = result.status == dgd::Status::kOptimal;
+    unfinished += !is_finished;
+    unfinished_polytopes += is_polytope && !is_finished;
+    if (!is_finished) continue;
+    const double gap = is_polytope ? rounding : kGap * size + rounding;
+    EXPECT_LE(double(result.upper_bound - result.separation),
+              result.separation < 0 && !is_polytope ? 0.01 * size : 2 * gap);
+    // The root of the gap, which is how far a normal and the points are off along a curve.
+    const dgd::Vector3<S> connection = result.witness_2 - result.witness_1 - result.separation * result.normal;
+    EXPECT_LE(double(connection.norm()), 4 * std::sqrt(gap * reach));
+  }
+  EXPECT_GE(overlaps, 0.3 * count);
+  EXPECT_LE(overlaps, 0.8 * count);
+  EXPECT_LE(unfinished, 0.02 * count);
+  EXPECT_LE(unfinished_polytopes, 0.002 * count);
+  std::printf("%d pairs, %d of them overlapping; %d not optimal, %d of these polytopes\n", count, overlaps, unfinished,
+              unfinished_polytopes);
+}
+
+TEST(SignedDistance, RandomPairs_NoOtherNormalIsBetterInDouble) { CheckRandomPairs<double>(TestCount(20000, 200)); }
+TEST(SignedDistance, RandomPairs_NoOtherNormalIsBetterInFloat) { CheckRandomPairs<float>(TestCount(5000, 100)); }
+
+}  // namespace
+}  // namespace dgd_test

@@ -1,0 +1,178 @@
+// The signed distance against closed forms: apart, in overlap, and where sets are flat, symmetric, or just touch.
+#include "dgd/signed_distance.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <limits>
+#include <numbers>
+
+#include "dgd/growth_distance.h"
+#include "dgd/shapes.h"
+
+namespace dgd_test {
+namespace {
+
+template <class S>
+class SignedDistanceTest : public ::testing::Test {
+ protected:
+  using Vector = dgd::Vector3<S>;
+
+  static dgd::Pose<S> At(const Vector& translation, const dgd::Matrix3<S>& rotation = dgd::Matrix3<S>::Identity()) {
+    return {rotation, translation};
+  }
+  static dgd::Matrix3<S> Turn(S angle, const Vector& axis) {
+    return Eigen::AngleAxis<S>(angle, axis.normalized()).toRotationMatrix();
+  }
+
+  /// With set 1 where it is.
+  template <class Set1, class Set2>
+  static dgd::SignedDistanceResult<S> Ask(const Set1& set_1, const Set2& set_2, const dgd::Pose<S>& pose_2) {
+    dgd::WarmStart<S> warm_start;
+    const dgd::Result<S> growth = dgd::GrowthDistance(set_1, {}, set_2, pose_2, {}, &warm_start);
+    const auto from_basis = dgd::SignedDistance(set_1, {}, set_2, pose_2, growth, &warm_start);
+    const auto from_nothing = dgd::SignedDistance(set_1, {}, set_2, pose_2, dgd::Result<S>());
+    EXPECT_EQ(from_nothing.status, dgd::Status::kOptimal);
+    EXPECT_NEAR(from_nothing.separation, from_basis.separation, kTolerance);
+    return from_basis;
+  }
+
+  static void ExpectDistance(const dgd::SignedDistanceResult<S>& result, S distance) {
+    EXPECT_EQ(result.status, dgd::Status::kOptimal);
+    EXPECT_NEAR(result.separation, distance, kTolerance);
+    EXPECT_GE(result.upper_bound, distance - kTolerance);
+    EXPECT_NEAR((result.witness_2 - result.witness_1 - result.separation * result.normal).norm(), 0, kWitness);
+    EXPECT_NEAR(result.normal.norm(), 1, kTolerance);
+  }
+  static void ExpectNormal(const dgd::SignedDistanceResult<S>& result, const Vector& normal) {
+    EXPECT_NEAR((result.normal - normal).norm(), 0, kWitness) << result.normal.transpose();
+  }
+
+  /// Of sets up to 5 m.
+  static constexpr S kTolerance = sizeof(S) == 8 ? S(2e-8) : S(2e-3);
+  /// Points and normals have the root of the tolerance where the sets are curved.
+  static constexpr S kWitness = sizeof(S) == 8 ? S(1e-4) : S(2e-2);
+  /// Of polytopes.
+  static constexpr S kExact = 16 * dgd::kEpsilon<S>;
+};
+
+using Scalars = ::testing::Types<double, float>;
+TYPED_TEST_SUITE(SignedDistanceTest, Scalars);
+
+TYPED_TEST(SignedDistanceTest, UnitBoxesOverlappingByATenth_AreATenthDeepAlongTheirAxis) {
+  using S = TypeParam;
+  const dgd::RoundedSet box{dgd::Box<S>({S(0.5), S(0.5), S(0.5)})};
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const S side : {S(1), S(-1)}) {
+      // Off the axis by a lot: the growth distance's normal still is a face's, or none of them.
+      dgd::Vector3<S> offset(S(0.3), S(0.4), S(0.2));
+      offset[axis] = side * S(0.9);
+      const auto result = this->Ask(box, box, this->At(offset));
+      this->ExpectDistance(result, S(-0.1));
+      EXPECT_NEAR(result.separation, S(-0.1), this->kExact);
+      this->ExpectNormal(result, side * dgd::Vector3<S>::Unit(axis));
+    }
+  }
+}
+
+TYPED_TEST(SignedDistanceTest, CoincidentBoxes_AreAsDeepAsTheShortestSide) {
+  using S = TypeParam;
+  const dgd::RoundedSet box{dgd::Box<S>({S(0.5), S(0.2), S(0.7)})};
+  const auto result = this->Ask(box, box, this->At({0, 0, 0}));
+  this->ExpectDistance(result, S(-0.4));
+  EXPECT_NEAR(std::abs(result.normal.y()), 1, this->kExact);
+}
+
+TYPED_TEST(SignedDistanceTest, BoxDeepInAnother_LeavesThroughTheNearestFaceWhateverTheCentresSay) {
+  using S = TypeParam;
+  const dgd::RoundedSet plate{dgd::Box<S>({4, 4, S(0.1)})};
+  const dgd::RoundedSet box{dgd::Box<S>({S(0.5), S(0.5), S(0.5)}), S(0.05)};
+  // The growth distance's ray runs along the plate.
+  const auto result = this->Ask(plate, box, this->At({3, 2, S(0.3)}));
+  this->ExpectDistance(result, S(-0.1 - 0.55 + 0.3));
+  this->ExpectNormal(result, dgd::Vector3<S>::UnitZ());
+}
+
+TYPED_TEST(SignedDistanceTest, BoxesEdgeOverEdge_AreSeparatedAlongTheirCommonNormal) {
+  using S = TypeParam;
+  const dgd::RoundedSet box{dgd::Box<S>({S(0.5), S(0.5), S(0.5)})};
+  // Both stand on an edge, the edges across each other: their tops are half a diagonal from the centres.
+  const S half_diagonal = std::sqrt(S(0.5));
+  const dgd::Matrix3<S> on_edge = this->Turn(std::numbers::pi_v<S> / 4, dgd::Vector3<S>::UnitX());
+  const dgd::Matrix3<S> across = this->Turn(std::numbers::pi_v<S> / 2, dgd::Vector3<S>::UnitZ()) * on_edge;
+  for (const S gap : {S(0.3), S(0.001), S(0), S(-0.001), S(-0.1)}) {
+    const dgd::Pose<S> pose_1 = this->At({0, 0, 0}, on_edge);
+    const dgd::Pose<S> pose_2 = this->At({S(0.1), S(-0.2), 2 * half_diagonal + gap}, across);
+    const auto result = dgd::SignedDistance(box, pose_1, box, pose_2, dgd::GrowthDistance(box, pose_1, box, pose_2));
+    this->ExpectDistance(result, gap);
+    EXPECT_NEAR(result.separation, gap, 4 * this->kExact);
+    if (gap != 0) this->ExpectNormal(result, dgd::Vector3<S>::UnitZ());
+  }
+}
+
+TYPED_TEST(SignedDistanceTest, Spheres_AreAsFarAsTheirCentresLessTheRadii) {
+  using S = TypeParam;
+  const dgd::RoundedSet a{dgd::Point<S>(), S(0.5)}, b{dgd::Point<S>(), S(0.25)};
+  const dgd::Vector3<S> direction = dgd::Vector3<S>(1, -2, 2) / 3;
+  for (const S distance : {S(5), S(0.75), S(0.3), S(1e-3)}) {
+    const auto result = this->Ask(a, b, this->At(distance * direction));
+    this->ExpectDistance(result, distance - S(0.75));
+    this->ExpectNormal(result, direction);
+  }
+  this->ExpectDistance(this->Ask(a, b, this->At({0, 0, 0})), S(-0.75));
+}
+
+TYPED_TEST(SignedDistanceTest, CrossingCapsules_PartAcrossBothAxes) {
+  using S = TypeParam;
+  const dgd::RoundedSet capsule = dgd::Capsule(S(0.1), S(0.5));
+  const dgd::Matrix3<S> across = this->Turn(std::numbers::pi_v<S> / 2, dgd::Vector3<S>::UnitX());
+  for (const S offset : {S(0.5), S(0.05), S(0)}) {
+    const auto result = this->Ask(capsule, capsule, this->At({offset, S(0.1), S(0.2)}, across));
+    this->ExpectDistance(result, offset - S(0.2));
+    EXPECT_NEAR(std::abs(result.normal.x()), 1, this->kTolerance);
+  }
+  // Parallel: the axes overlap, any normal across them will do.
+  this->ExpectDistance(this->Ask(capsule, capsule, this->At({0, 0, S(0.3)})), S(-0.2));
+}
+
+TYPED_TEST(SignedDistanceTest, FlatSetsWithoutInterior_HaveADistance) {
+  using S = TypeParam;
+  const dgd::RoundedSet triangle{dgd::Triangle<S>({0, 0, 0}, {1, 0, 0}, {0, 1, 0})};
+  this->ExpectDistance(dgd::SignedDistance(triangle, {}, triangle, this->At({S(0.2), S(0.1), S(0.5)}), {}), S(0.5));
+  // In one plane, overlapping: nothing to move apart.
+  this->ExpectDistance(dgd::SignedDistance(triangle, {}, triangle, this->At({S(0.2), S(0.1), 0}), {}), 0);
+}
+
+TYPED_TEST(SignedDistanceTest, SphereInEllipsoid_LeavesAlongTheShortAxis) {
+  using S = TypeParam;
+  const dgd::RoundedSet ellipsoid{dgd::Ellipsoid<S>({2, 1, S(0.5)})};
+  const dgd::RoundedSet sphere{dgd::Point<S>(), S(0.1)};
+  const auto result = this->Ask(ellipsoid, sphere, this->At({S(0.4), S(0.1), S(0.01)}));
+  EXPECT_EQ(result.status, dgd::Status::kOptimal);
+  // Nearly above its centre the nearest point of the surface is nearly along the short axis.
+  EXPECT_GT(result.normal.z(), S(0.95));
+  EXPECT_NEAR(result.separation, S(-0.58), S(0.02));
+}
+
+TYPED_TEST(SignedDistanceTest, CylinderOnItsCapAndOnItsSide_IsAsDeepAsItSank) {
+  using S = TypeParam;
+  const dgd::RoundedSet floor{dgd::Box<S>({5, 5, 1})};
+  const dgd::RoundedSet cylinder{dgd::Cylinder<S>(S(0.5), S(0.4))};
+  const auto on_cap = this->Ask(floor, cylinder, this->At({2, 1, S(1.35)}));
+  this->ExpectDistance(on_cap, S(-0.05));
+  this->ExpectNormal(on_cap, dgd::Vector3<S>::UnitZ());
+  const dgd::Matrix3<S> lying = this->Turn(std::numbers::pi_v<S> / 2, {1, 2, 0});
+  const auto on_side = this->Ask(floor, cylinder, this->At({2, 1, S(1.45)}, lying));
+  this->ExpectDistance(on_side, S(-0.05));
+  this->ExpectNormal(on_side, dgd::Vector3<S>::UnitZ());
+}
+
+TYPED_TEST(SignedDistanceTest, NanPose_IsInvalid) {
+  using S = TypeParam;
+  const dgd::RoundedSet box{dgd::Box<S>({1, 1, 1})};
+  const auto pose = this->At({std::numeric_limits<S>::quiet_NaN(), 0, 0});
+  EXPECT_EQ(dgd::SignedDistance(box, {}, box, pose, {}).status, dgd::Status::kInvalidInput);
+}
+
+}  // namespace
+}  // namespace dgd_test
