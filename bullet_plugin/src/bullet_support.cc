@@ -21,7 +21,7 @@ dgd::SupportPoint<double> Support(const void* object, const Vector3& direction) 
 
 }  // namespace
 
-SupportCore ThroughBullet(const btConvexShape& shape) {
+SupportCore ThroughBullet(const btConvexShape& shape, double radius) {
   std::array<Vector3, 6> extremes;
   Vector3 center = Vector3::Zero();
   for (std::size_t i = 0; i < extremes.size(); ++i) {
@@ -31,7 +31,7 @@ SupportCore ThroughBullet(const btConvexShape& shape) {
     center += extremes[i] / double(extremes.size());
   }
   double inradius = 0;
-  if (!(shape.getMargin() > 0)) {
+  if (!(radius > 0)) {
     const dgd::ConvexHull hull = dgd::BuildConvexHull(extremes);
     center = hull.center;
     inradius = hull.inradius;

@@ -8,8 +8,9 @@ class btConvexShape;
 namespace dgd_bullet {
 
 /// Keeps nothing of the shape from one query to the next, so that it cannot be out of date. The shape must outlive it.
-/// The centre is the mean of the support points along the axes. An inradius is only computed for shapes without a
-/// margin, from the hull of those points: with one, the solver needs none.
-SupportCore ThroughBullet(const btConvexShape& shape);
+/// The centre is the mean of the support points along the axes. An inradius is only computed for a
+/// `radius` of 0, from the hull of those points: a rounded set needs none.
+/// @param radius  That the core is rounded by, metres.
+SupportCore ThroughBullet(const btConvexShape& shape, double radius);
 
 }  // namespace dgd_bullet

@@ -8,6 +8,7 @@
 #include <exception>
 
 #include "manifold_writer.h"
+#include "pair_distance.h"
 #include "pair_impact.h"
 #include "pair_motion.h"
 #include "pair_patch.h"
@@ -78,27 +79,36 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
                                                                const btDispatcherInfo& info,
                                                                btManifoldResult& output) try {
   const Options& options = narrowphase_.options();
-  PosedShape shape_a = AdaptShape(ShapeOf(body_0), body_0->getWorldTransform(), narrowphase_.hulls(), hull_0_);
-  PosedShape shape_b = AdaptShape(ShapeOf(body_1), body_1->getWorldTransform(), narrowphase_.hulls(), hull_1_);
+  const auto adapt = [&](const btCollisionObjectWrapper* body, std::shared_ptr<const CachedHull>& hull) {
+    return AdaptShape(ShapeOf(body), body->getWorldTransform(), options.geometry_mode, narrowphase_.hulls(), hull);
+  };
+  PosedShape shape_a = adapt(body_0, hull_0_);
+  PosedShape shape_b = adapt(body_1, hull_1_);
   MoveCentersTogether(shape_a, shape_b);
   const PairMotion motion = MotionToMeet(*body_0->getCollisionObject(), *body_1->getCollisionObject(), info);
   const double breaking_threshold = double(manifold_->getContactBreakingThreshold());
-  const double contact_distance = breaking_threshold + double(output.m_closestPointDistanceThreshold);
+  const double contact_distance = (options.contact_distance > 0 ? options.contact_distance : breaking_threshold) +
+                                  double(output.m_closestPointDistanceThreshold);
 
   dgd::Settings<double> settings;
   settings.relative_tolerance = options.relative_tolerance;
   settings.max_iterations = options.max_iterations;
   settings.separation_limit = std::max(contact_distance, motion.MaxApproach());
-  const dgd::Result<double> result = SolvePair(shape_a, shape_b, settings, warm_start_);
+  dgd::Result<double> result = SolvePair(shape_a, shape_b, settings, warm_start_);
 
   dgd::ContactPatch<double> patch;
   if (result.status != dgd::Status::kSeparated) {
     if (!IsCertified(result)) return result.status;
     const bool is_near = result.separation <= contact_distance;
-    if (!options.contact_patch) {
-      patch = WitnessOnly(result);
-    } else if (is_near || TouchWithinStep(shape_a, shape_b, result, motion)) {
-      patch = FindPatch(shape_a, shape_b, result, contact_distance, breaking_threshold, motion);
+    if (is_near || TouchWithinStep(shape_a, shape_b, result, motion)) {
+      if (options.normal_mode == NormalMode::kLeastTranslation) {
+        TurnToLeastTranslation(shape_a, shape_b, settings, warm_start_, result);
+      }
+      const dgd::PatchSettings<double> of_patch{.contact_distance = contact_distance,
+                                                .spacing = breaking_threshold,
+                                                .angular_tolerance = options.angular_tolerance,
+                                                .max_points = options.patch_size};
+      patch = options.contact_patch ? FindPatch(shape_a, shape_b, result, of_patch, motion) : WitnessOnly(result);
     }
   }
   WriteContacts(patch, result.normal, output);

@@ -4,6 +4,7 @@
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 
+#include <cmath>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -13,14 +14,20 @@
 namespace dgd_bullet {
 
 Narrowphase::Narrowphase(const Options& options) : options_(options) {
-  if (!(options.relative_tolerance > 0 && options.relative_tolerance < 1)) {
-    throw std::invalid_argument("dgd_bullet::Options::relative_tolerance must be in (0, 1); got " +
-                                std::to_string(options.relative_tolerance));
-  }
-  if (options.max_iterations < 1) {
-    throw std::invalid_argument("dgd_bullet::Options::max_iterations must be >= 1; got " +
-                                std::to_string(options.max_iterations));
-  }
+  const auto require = [](bool in_range, const char* name, const char* range, double value) {
+    if (in_range) return;
+    throw std::invalid_argument(std::string("dgd_bullet::Options::") + name + " must be " + range + "; got " +
+                                std::to_string(value));
+  };
+  require(options.relative_tolerance > 0 && options.relative_tolerance < 1, "relative_tolerance", "in (0, 1)",
+          options.relative_tolerance);
+  require(options.max_iterations >= 1, "max_iterations", ">= 1", options.max_iterations);
+  require(options.patch_size >= 1 && options.patch_size <= dgd::ContactPatch<double>::kMaxPoints, "patch_size",
+          "1 to 4", options.patch_size);
+  require(options.angular_tolerance > 0 && options.angular_tolerance <= 1.5, "angular_tolerance", "in (0, 1.5] rad",
+          options.angular_tolerance);
+  require(options.contact_distance >= 0 && std::isfinite(options.contact_distance), "contact_distance",
+          ">= 0 and finite, in metres", options.contact_distance);
 }
 
 bool Narrowphase::Handles(int type_0, int type_1) {

@@ -3,7 +3,7 @@
 namespace dgd_bullet {
 
 dgd::ContactPatch<double> FindPatch(const PosedShape& shape_a, const PosedShape& shape_b,
-                                    const dgd::Result<double>& result, double contact_distance, double spacing,
+                                    const dgd::Result<double>& result, const dgd::PatchSettings<double>& settings,
                                     const PairMotion& motion) {
   const dgd::PatchFrame<double> frame(result);
   const auto face = [&frame](const PosedShape& shape, const Vector3& direction) {
@@ -12,8 +12,8 @@ dgd::ContactPatch<double> FindPatch(const PosedShape& shape_a, const PosedShape&
   const auto is_approaching = [&](const Vector3& point, double separation) {
     return separation <= motion.Approach(point, result.normal);
   };
-  return dgd::FindContactPatch(result, frame, face(shape_a, result.normal), face(shape_b, -result.normal),
-                               contact_distance, spacing, is_approaching);
+  return dgd::FindContactPatch(result, frame, face(shape_a, result.normal), face(shape_b, -result.normal), settings,
+                               is_approaching);
 }
 
 dgd::ContactPatch<double> WitnessOnly(const dgd::Result<double>& result) {

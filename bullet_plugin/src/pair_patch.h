@@ -8,10 +8,9 @@
 
 namespace dgd_bullet {
 
-/// The points that are not farther apart than `contact_distance`, and those that `motion` makes touch. `spacing` as in
-/// dgd::FindContactPatch(). Metres.
+/// The points that belong to it by `settings`, and those that `motion` makes touch.
 dgd::ContactPatch<double> FindPatch(const PosedShape& shape_a, const PosedShape& shape_b,
-                                    const dgd::Result<double>& result, double contact_distance, double spacing,
+                                    const dgd::Result<double>& result, const dgd::PatchSettings<double>& settings,
                                     const PairMotion& motion);
 
 /// The witness point alone: what Bullet's own algorithm would report.

@@ -7,8 +7,6 @@
 
 namespace dgd_bullet {
 
-/// The one place where the two types of a pair are resolved. A shape that only Bullet can evaluate, and what meets it,
-/// go through a function pointer, and the tolerance is raised to what its rounding allows.
 dgd::Result<double> SolvePair(const PosedShape& shape_a, const PosedShape& shape_b,
                               const dgd::Settings<double>& settings, dgd::WarmStart<double>& warm_start);
 

@@ -23,10 +23,13 @@ double Extent(btScalar half_extent) { return half_extent < 0 ? 0.0 : double(half
 
 }  // namespace
 
-PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, HullCache& cache,
+PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, GeometryMode geometry, HullCache& cache,
                       std::shared_ptr<const CachedHull>& hull) {
   const int type = shape.getShapeType();
   const double margin = dgd::RequireLength(double(shape.getMargin()), true, "collision margin");
+  // Of what has a margin besides its core.
+  const bool is_sharp = geometry == GeometryMode::kSharp;
+  const double radius = is_sharp ? 0 : margin;
   switch (type) {
     case SPHERE_SHAPE_PROXYTYPE:
       // Its margin is its radius.
@@ -40,33 +43,34 @@ PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, 
       const btVector3* corners = static_cast<const btTriangleShape&>(shape).m_vertices1;
       return {
           dgd::RoundedSet{dgd::Triangle<double>(FromBullet(corners[0]), FromBullet(corners[1]), FromBullet(corners[2])),
-                          margin},
+                          radius},
           FromBullet(transform, kZ)};
     }
     case BOX_SHAPE_PROXYTYPE: {
-      const btVector3 half = static_cast<const btBoxShape&>(shape).getHalfExtentsWithoutMargin();
+      const auto& box = static_cast<const btBoxShape&>(shape);
+      const btVector3 half = is_sharp ? box.getHalfExtentsWithMargin() : box.getHalfExtentsWithoutMargin();
       const Vector3 core(Extent(half.x()), Extent(half.y()), Extent(half.z()));
-      return {dgd::RoundedSet{dgd::Box<double>(core), margin}, FromBullet(transform, kZ)};
+      return {dgd::RoundedSet{dgd::Box<double>(core), radius}, FromBullet(transform, kZ)};
     }
     case CYLINDER_SHAPE_PROXYTYPE: {
       const auto& cylinder = static_cast<const btCylinderShape&>(shape);
       const int up = cylinder.getUpAxis();
-      const btVector3 half = cylinder.getHalfExtentsWithoutMargin();
+      const btVector3 half = is_sharp ? cylinder.getHalfExtentsWithMargin() : cylinder.getHalfExtentsWithoutMargin();
       // Bullet takes the radius from the first axis that is not the cylinder's own.
-      return {dgd::RoundedSet{dgd::Cylinder<double>(Extent(half[up == 0 ? 1 : 0]), Extent(half[up])), margin},
+      return {dgd::RoundedSet{dgd::Cylinder<double>(Extent(half[up == 0 ? 1 : 0]), Extent(half[up])), radius},
               FromBullet(transform, up)};
     }
     case CONE_SHAPE_PROXYTYPE: {
       const auto& cone = static_cast<const btConeShape&>(shape);
-      return {dgd::RoundedSet{dgd::Cone<double>(double(cone.getRadius()), double(cone.getHeight())), margin},
+      return {dgd::RoundedSet{dgd::Cone<double>(double(cone.getRadius()), double(cone.getHeight())), radius},
               FromBullet(transform, cone.getConeUpIndex())};
     }
     default:
       break;
   }
-  if (!IsHullOfPoints(type)) return {dgd::RoundedSet{ThroughBullet(shape), margin}, FromBullet(transform, kZ)};
+  if (!IsHullOfPoints(type)) return {dgd::RoundedSet{ThroughBullet(shape, radius), radius}, FromBullet(transform, kZ)};
   if (hull == nullptr || !hull->Matches(shape)) hull = cache.Find(shape);
-  return {dgd::RoundedSet{dgd::CoreReference(hull->Core()), margin}, FromBullet(transform, kZ)};
+  return {dgd::RoundedSet{dgd::CoreReference(hull->Core()), radius}, FromBullet(transform, kZ)};
 }
 
 }  // namespace dgd_bullet

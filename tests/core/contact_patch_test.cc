@@ -31,7 +31,8 @@ dgd::ContactPatch<double> PatchOf(const Set1& set_1, const dgd::Pose<double>& po
   const dgd::PatchFrame<double> frame(result);
   const auto face_1 = dgd::FindFace(set_1, pose_1, result.normal, frame);
   const auto face_2 = dgd::FindFace(set_2, pose_2, Vector3d(-result.normal), frame);
-  return dgd::FindContactPatch(result, frame, face_1, face_2, kContactDistance, 0.01, is_approaching);
+  return dgd::FindContactPatch(result, frame, face_1, face_2, {.contact_distance = kContactDistance, .spacing = 0.01},
+                               is_approaching);
 }
 
 dgd::Pose<double> At(const Vector3d& place, double turn_about_z = 0) {

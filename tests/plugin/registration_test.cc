@@ -209,6 +209,24 @@ TEST(Registration, OptionsOutOfRange_AreRefusedByValue) {
     EXPECT_NE(text.find("max_iterations"), std::string::npos) << text;
     EXPECT_NE(text.find(std::to_string(iterations)), std::string::npos) << text;
   }
+  options.max_iterations = 100;
+  for (const int size : {0, 5}) {
+    options.patch_size = size;
+    const std::string text = message(options);
+    EXPECT_NE(text.find("patch_size must be 1 to 4; got " + std::to_string(size)), std::string::npos) << text;
+  }
+  options.patch_size = 4;
+  for (const double angle : {0.0, 1.6, std::numeric_limits<double>::quiet_NaN()}) {
+    options.angular_tolerance = angle;
+    EXPECT_NE(message(options).find("angular_tolerance"), std::string::npos) << angle;
+  }
+  options.angular_tolerance = 1;
+  for (const double distance : {-1.0, std::numeric_limits<double>::infinity()}) {
+    options.contact_distance = distance;
+    EXPECT_NE(message(options).find("contact_distance"), std::string::npos) << distance;
+  }
+  options.contact_distance = 0.1;
+  EXPECT_EQ(message(options), "no exception");
 }
 
 TEST(Registration, RegisterWithBadOptions_ChangesNothing) {

@@ -3,6 +3,20 @@
 
 namespace dgd_bullet {
 
+/// Along which normal two bodies touch. Either is the exact one where they only touch, and the reported depth is always
+/// the separation along the reported normal.
+enum class NormalMode {
+  kGrowth,            ///< The growth distance's: the fastest; where bodies overlap it depends on their centres.
+  kLeastTranslation,  ///< The one along which the bodies overlap least, or are farthest apart.
+};
+
+/// What the bodies' surfaces are.
+enum class GeometryMode {
+  kBullet,  ///< What Bullet's GJK sees: each shape's core, rounded by its margin.
+  kSharp,   ///< No margins: boxes and cylinders of full size with sharp edges, hulls, cones and triangles as they are.
+            ///< Spheres and capsules keep their radius.
+};
+
 struct Options {
   /// Relative gap between the two bounds of the growth distance at which a query stops; dimensionless, > 0. The depth
   /// that a contact reports is certified whatever this is: it only bounds how far the normal and the witness points
@@ -15,6 +29,22 @@ struct Options {
   /// Hand over all points of the touching features in one step (at most four), and drop cached points which that patch
   /// no longer has. Off: one point a step, and Bullet's own accumulation over several steps.
   bool contact_patch = true;
+
+  /// Points of a patch at most, 1 to 4: the deepest, then those that span most area. Fewer cost less in Bullet's
+  /// solver, and let bodies rock.
+  int patch_size = 4;
+
+  /// Faces turned away from the contact normal by more than this count as edges; radians, in (0, 1.5]. The points of a
+  /// tilted face that matter are told by their distance, so there is little reason to lower it.
+  double angular_tolerance = 1.47;
+
+  /// Bodies not farther apart than this get contacts; metres, >= 0. 0 stands for each manifold's breaking threshold,
+  /// which is Bullet's own measure (2 cm for large bodies). Larger values hand over contacts earlier, which Bullet's
+  /// solver keeps open until they close; points in manifolds that are not the pair's own never exceed its threshold.
+  double contact_distance = 0;
+
+  NormalMode normal_mode = NormalMode::kLeastTranslation;
+  GeometryMode geometry_mode = GeometryMode::kBullet;
 
   /// In a dynamics world, also hand over points that are still farther apart than Bullet's contact breaking threshold
   /// if the bodies' velocities make them touch within the time step: fast impacts are then met, not found when the

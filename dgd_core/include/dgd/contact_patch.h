@@ -25,6 +25,20 @@ struct ContactPoint {
   S separation;     ///< Metres, negative for overlap.
 };
 
+/// What belongs to a patch.
+template <class S>
+struct PatchSettings {
+  /// Points not farther apart than this; metres.
+  S contact_distance = 0;
+  /// Least distance of two points across the normal; metres, >= 0.
+  S spacing = 0;
+  /// Faces turned away from the normal by more than this count as edges, radians, in (0, pi / 2): seen from aside,
+  /// their heights lose their digits.
+  S angular_tolerance = S(1.47);
+  /// 1 to ContactPatch::kMaxPoints.
+  int max_points = 4;
+};
+
 template <class S>
 struct ContactPatch {
   static constexpr int kMaxPoints = 4;
@@ -61,13 +75,12 @@ struct CornerList {
 template <class S>
 class ProjectedFace {
  public:
-  explicit ProjectedFace(const SupportingFace<S>& face) : face_(face) {
+  /// @param min_cosine  Of the angle between the polygon's normal and the contact's; below it, the face is an edge.
+  ProjectedFace(const SupportingFace<S>& face, S min_cosine) : face_(face) {
     for (std::size_t i = 1; i + 1 < static_cast<std::size_t>(face.size); ++i) {
       area_ += (face.points[i] - face.points[0]).cross(face.points[i + 1] - face.points[0]);
     }
-    // Faces within about 6 degrees of the normal's direction count as edges: their heights say nothing.
-    constexpr S kMinCosine = S(0.1);
-    is_polygon_ = face.size > 2 && area_.z() * area_.z() > kMinCosine * kMinCosine * area_.squaredNorm();
+    is_polygon_ = face.size > 2 && area_.z() * area_.z() > min_cosine * min_cosine * area_.squaredNorm();
     if (!is_polygon_) return;
     slope_x_ = -area_.x() / area_.z();
     slope_y_ = -area_.y() / area_.z();
@@ -202,10 +215,10 @@ Corner<S> WitnessCorner(const SupportingFace<S>& face_1, const SupportingFace<S>
   return {0, 0, -separation / 2, separation / 2};
 }
 
-/// Keeps up to four corners that span the patch: the deepest, the farthest from it, and one on either side of the line
-/// between the two that spans most area. Corners nearer than `spacing` to a kept one are left out.
+/// Keeps up to `max_points` corners that span the patch: the deepest, the farthest from it, and one on either side of
+/// the line between the two that spans most area. Corners nearer than `spacing` to a kept one are left out.
 template <class S>
-void Reduce(const CornerList<S>& corners, S spacing, CornerList<S>& kept) {
+void Reduce(const CornerList<S>& corners, S spacing, int max_points, CornerList<S>& kept) {
   const auto distance_sq = [](const Corner<S>& a, const Corner<S>& b) {
     return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
   };
@@ -214,6 +227,7 @@ void Reduce(const CornerList<S>& corners, S spacing, CornerList<S>& kept) {
     if (corners[i].Separation() < corners[deepest].Separation()) deepest = i;
   }
   kept.Add(corners[deepest]);
+  if (max_points == 1) return;
 
   int farthest = deepest;
   for (int i = 0; i < corners.size; ++i) {
@@ -233,7 +247,7 @@ void Reduce(const CornerList<S>& corners, S spacing, CornerList<S>& kept) {
         widest = i;
       }
     }
-    if (widest < 0) continue;
+    if (widest < 0 || kept.size == max_points) continue;
     bool apart = true;
     for (int i = 0; i < kept.size; ++i) apart = apart && distance_sq(corners[widest], kept[i]) > spacing * spacing;
     if (apart) kept.Add(corners[widest]);
@@ -271,10 +285,11 @@ template <class Set>
 
 /// The patch of two sets along result.normal, from their supporting faces along it and against it. The witness point is
 /// in it, or a point as deep.
-/// @param result            Of GrowthDistance() for these sets and poses, with a normal.
+/// @param result            Normal, separation along it and witness points of these sets and poses: of
+/// GrowthDistance(),
+///                          or with those of SignedDistance() in their place.
 /// @param face_1, face_2    FindFace() of set 1 along the normal and of set 2 along its opposite.
-/// @param contact_distance  Points not farther apart than this belong to the patch; metres.
-/// @param spacing           Least distance of two points across the normal; metres, >= 0.
+/// @param settings          In range.
 /// @param is_approaching    bool(const Vector3<S>& point, S separation): whether a point beyond the contact distance
 ///                          belongs to it too, e.g. because the sets move. World, half way between the surfaces,
 ///                          metres.
@@ -282,9 +297,11 @@ template <class Set>
 template <class S, class IsApproaching>
 [[gnu::flatten]] ContactPatch<S> FindContactPatch(const Result<S>& result, const PatchFrame<S>& frame,
                                                   const SupportingFace<S>& face_1, const SupportingFace<S>& face_2,
-                                                  S contact_distance, S spacing, const IsApproaching& is_approaching) {
+                                                  const PatchSettings<S>& settings,
+                                                  const IsApproaching& is_approaching) {
   using namespace contact_patch_internal;
-  const ProjectedFace<S> projected_1(face_1), projected_2(face_2);
+  const S min_cosine = std::cos(settings.angular_tolerance);
+  const ProjectedFace<S> projected_1(face_1, min_cosine), projected_2(face_2, min_cosine);
   CornerList<S> overlap;
   if (projected_1.IsPolygon() && (projected_2.IsPolygon() || projected_2.IsSegment())) {
     ClipByPolygon(projected_2, false, projected_1, overlap);
@@ -297,7 +314,7 @@ template <class S, class IsApproaching>
   // The witness, unless a corner is as deep: for polytopes one usually is, and a fourth corner serves the solver of the
   // constraints better than a point in the middle.
   constexpr S kAsDeep = S(1e-3);
-  const S as_deep = result.separation + kAsDeep * spacing;
+  const S as_deep = result.separation + kAsDeep * settings.spacing;
   CornerList<S> near;
   bool witness_needed = true;
   const auto add_if_kept = [&](const Corner<S>& corner) {
@@ -306,7 +323,7 @@ template <class S, class IsApproaching>
                         frame.axes * Vector3<S>(corner.x, corner.y, (corner.height_1 + corner.height_2) / 2));
     };
     const S separation = corner.Separation();
-    if (!(separation <= contact_distance) && !is_approaching(in_world(), separation)) return;
+    if (!(separation <= settings.contact_distance) && !is_approaching(in_world(), separation)) return;
     near.Add(corner);
     if (corner.Separation() <= as_deep) witness_needed = false;
   };
@@ -315,7 +332,7 @@ template <class S, class IsApproaching>
   if (near.size == 0) return {};
 
   CornerList<S> kept;
-  Reduce(near, spacing, kept);
+  Reduce(near, settings.spacing, settings.max_points, kept);
   ContactPatch<S> patch;
   for (int i = 0; i < kept.size; ++i) {
     const Corner<S>& corner = kept[i];

@@ -1,0 +1,16 @@
+// From the growth distance's normal to that of the signed distance. Free of Bullet, and compiled once, as
+// pair_solver.h.
+#pragma once
+
+#include "dgd/query_types.h"
+#include "posed_shape.h"
+
+namespace dgd_bullet {
+
+/// Turns the normal of a solved pair to where the bodies overlap least, or are farthest apart, and the separation and
+/// the witness points with it; leaves all as it is if that gains nothing.
+/// @param settings, warm_start  As SolvePair() had and left them.
+void TurnToLeastTranslation(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Settings<double>& settings,
+                            const dgd::WarmStart<double>& warm_start, dgd::Result<double>& result);
+
+}  // namespace dgd_bullet

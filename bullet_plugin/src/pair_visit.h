@@ -1,0 +1,53 @@
+// The one place where the two types of a pair are resolved. Free of Bullet, as all that is compiled once.
+#pragma once
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "dgd/query_types.h"
+#include "posed_shape.h"
+
+namespace dgd_bullet {
+
+namespace pair_visit_internal {
+
+using ErasedSet = dgd::RoundedSet<SupportCore>;
+
+template <class Set>
+constexpr bool kIsErased = std::is_same_v<Set, ErasedSet>;
+
+template <class Set>
+ErasedSet Erase(const Set& set) {
+  if constexpr (kIsErased<Set>) {
+    return set;
+  } else {
+    return {SupportCore(set.core), set.radius};
+  }
+}
+
+}  // namespace pair_visit_internal
+
+/// Calls ask(set_a, set_b, settings). A shape that only Bullet can evaluate, and what meets it, go through a function
+/// pointer, and the tolerance is raised to what its rounding allows.
+template <class Ask>
+decltype(auto) VisitPair(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Settings<double>& settings,
+                         Ask&& ask) {
+  using namespace pair_visit_internal;
+  return std::visit(
+      [&]<class SetA, class SetB>(const SetA& set_a, const SetB& set_b) {
+        if constexpr (kIsErased<SetA> || kIsErased<SetB>) {
+          const ErasedSet erased_a = Erase(set_a), erased_b = Erase(set_b);
+          dgd::Settings<double> raised = settings;
+          raised.relative_tolerance =
+              std::max({settings.relative_tolerance, erased_a.core.Accuracy(), erased_b.core.Accuracy()});
+          return ask(erased_a, erased_b, raised);
+        } else {
+          return ask(set_a, set_b, settings);
+        }
+      },
+      shape_a.set, shape_b.set);
+}
+
+}  // namespace dgd_bullet

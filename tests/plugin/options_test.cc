@@ -1,0 +1,189 @@
+// What each option of a dispatcher does to the contacts.
+#include "dgd_bullet/options.h"
+
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btCylinderShape.h>
+#include <BulletCollision/CollisionShapes/btSphereShape.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "plugin/pair_query.h"
+#include "plugin/shape_zoo.h"
+#include "plugin/test_world.h"
+
+namespace dgd_test {
+namespace {
+
+constexpr double kLength = 1e-5;  // Rounding of float at a metre, with some room.
+constexpr double kPi = 3.141592653589793;
+
+btTransform At(double x, double y, double z) { return MakeTransform(Eigen::Matrix3d::Identity(), {x, y, z}); }
+
+dgd_bullet::Options With(dgd_bullet::NormalMode mode) {
+  dgd_bullet::Options options;
+  options.normal_mode = mode;
+  return options;
+}
+
+/// The deepest contact of a pair's first step.
+Contact DeepestOf(const dgd_bullet::Options& options, btConvexShape& a, btConvexShape& b, const btTransform& pose_a,
+                  const btTransform& pose_b) {
+  Dispatching dispatching(Route::kConfiguration, options);
+  PairQuery pair(dispatching.dispatcher(), a, b);
+  pair.SetPoses(pose_a, pose_b);
+  const std::vector<Contact> contacts = pair.Step();
+  EXPECT_FALSE(contacts.empty());
+  return contacts.empty() ? Contact() : Deepest(contacts);
+}
+
+// Bullet's EPA says 0.058 along a diagonal for two such boxes without margins.
+TEST(NormalMode, UnitBoxesOverlappingByATenth_AreATenthDeepAlongTheAxis) {
+  for (const double margin : {0.0, 0.04}) {
+    btBoxShape box(Vec(0.5, 0.5, 0.5));
+    box.setMargin(btScalar(margin));
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double side : {1.0, -1.0}) {
+        Vector offset(0.2, 0.3, -0.1);
+        offset[axis] = side * 0.9;
+        const Contact contact =
+            DeepestOf(With(dgd_bullet::NormalMode::kLeastTranslation), box, box,
+                      MakeTransform(Eigen::Matrix3d::Identity(), offset), btTransform::getIdentity());
+        EXPECT_NEAR(contact.depth, -0.1, kLength) << margin;
+        EXPECT_NEAR((contact.normal_b_to_a - side * Vector::Unit(axis)).norm(), 0, kLength) << margin;
+      }
+    }
+  }
+}
+
+// The depth that any normal reports is the separation along it; the least translation's is the least of all.
+TEST(NormalMode, OverlappingHulls_LeastTranslationIsNeverDeeperThanGrowthOrBullets) {
+  Random random(TestSeed());
+  double gained = 0;
+  for (int i = 0; i < 300; ++i) {
+    const auto a = MakeRandomHull(random, 8 + random.Below(13), 1);
+    const auto b = MakeRandomHull(random, 8 + random.Below(13), 1);
+    const btTransform pose_a = MakeTransform(random.Rotation(), random.InCube());
+    const btTransform pose_b =
+        MakeTransform(random.Rotation(), ToEigen(pose_a.getOrigin()) + random.Uniform(0.3, 0.8) * random.UnitVector());
+    Dispatching least(Route::kConfiguration, With(dgd_bullet::NormalMode::kLeastTranslation));
+    Dispatching growth(Route::kConfiguration, With(dgd_bullet::NormalMode::kGrowth));
+    Dispatching builtin(Route::kBuiltin);
+    PairQuery of_least(least.dispatcher(), *a, *b), of_growth(growth.dispatcher(), *a, *b),
+        of_builtin(builtin.dispatcher(), *a, *b);
+    for (PairQuery* pair : {&of_least, &of_growth, &of_builtin}) pair->SetPoses(pose_a, pose_b);
+    const std::vector<Contact> by_least = of_least.Step(), by_growth = of_growth.Step(), by_bullet = of_builtin.Step();
+    if (by_growth.empty() || Deepest(by_growth).depth > -0.05) continue;
+    ASSERT_FALSE(by_least.empty());
+    const auto along = [&](const Contact& contact) {
+      return PlaneSeparation(of_least.A(), of_least.B(), contact.normal_b_to_a.normalized());
+    };
+    const Contact &of_patch = Deepest(by_least), &of_other = Deepest(by_growth);
+    EXPECT_NEAR(of_patch.depth, along(of_patch), kLength);
+    EXPECT_NEAR(of_other.depth, along(of_other), kLength);
+    EXPECT_GE(along(of_patch), along(of_other) - kLength);
+    gained = std::max(gained, along(of_patch) - along(of_other));
+    if (!by_bullet.empty()) EXPECT_GE(along(of_patch), along(Deepest(by_bullet)) - kLength);
+    EXPECT_EQ(least.statistics().Fallbacks() + growth.statistics().Fallbacks(), 0U);
+  }
+  // Else the modes are the same.
+  EXPECT_GT(gained, 0.01);
+}
+
+TEST(NormalMode, BodiesApart_LeastTranslationTellsTheirDistance) {
+  btBoxShape box(Vec(0.5, 0.5, 0.5));
+  btSphereShape sphere(btScalar(0.1));
+  // Over a corner of the box's core, far off the line between the centres.
+  const double margin = double(box.getMargin());
+  const Vector corner = Vector::Constant(0.5 - margin);
+  const Vector direction = Vector(1, 2, 5).normalized();
+  const Vector center = corner + (margin + 0.1 + 0.015) * direction;
+  const Contact contact = DeepestOf(With(dgd_bullet::NormalMode::kLeastTranslation), sphere, box,
+                                    MakeTransform(Eigen::Matrix3d::Identity(), center), btTransform::getIdentity());
+  EXPECT_NEAR(contact.depth, 0.015, kLength);
+  EXPECT_NEAR((contact.normal_b_to_a - direction).norm(), 0, 1e-4);
+}
+
+TEST(PatchSize, BoxOnFloor_HasSoManyPointsWithTheDeepestAmongThem) {
+  btBoxShape box(Vec(0.5, 0.3, 0.2)), floor(Vec(5, 5, 1));
+  for (int size = 1; size <= 4; ++size) {
+    dgd_bullet::Options options;
+    options.patch_size = size;
+    Dispatching dispatching(Route::kConfiguration, options);
+    PairQuery pair(dispatching.dispatcher(), box, floor);
+    pair.SetPoses(
+        MakeTransform(Eigen::AngleAxisd(1e-3, Vector(1, 2, 0).normalized()).toRotationMatrix(), {0, 0, 0.199}),
+        At(0, 0, -1));
+    const std::vector<Contact> contacts = pair.Step();
+    EXPECT_EQ(contacts.size(), static_cast<std::size_t>(size));
+    EXPECT_EQ(pair.manifold()->getNumContacts(), size);
+    EXPECT_NEAR(Deepest(contacts).depth, PlaneSeparation(pair.A(), pair.B(), Vector::UnitZ()), kLength);
+  }
+}
+
+TEST(ContactDistance, BodiesWithinIt_HaveContactsAndOthersNone) {
+  btBoxShape box(Vec(0.5, 0.3, 0.2)), floor(Vec(5, 5, 1));
+  for (const double distance : {0.0, 0.002, 0.1}) {
+    dgd_bullet::Options options;
+    options.contact_distance = distance;
+    Dispatching dispatching(Route::kConfiguration, options);
+    for (const double gap : {-0.01, 0.001, 0.01, 0.09, 0.11}) {
+      PairQuery pair(dispatching.dispatcher(), box, floor);
+      pair.SetPoses(At(0, 0, 0.2 + gap), At(0, 0, -1));
+      const std::vector<Contact> contacts = pair.Step();
+      const double limit = distance > 0 ? distance : double(pair.manifold()->getContactBreakingThreshold());
+      EXPECT_EQ(contacts.size(), gap <= limit ? 4U : 0U) << "gap " << gap << " contact distance " << distance;
+      EXPECT_EQ(pair.manifold()->getNumContacts(), static_cast<int>(contacts.size())) << gap << " " << distance;
+      for (const Contact& contact : contacts) EXPECT_NEAR(contact.depth, gap, kLength);
+      // They persist.
+      pair.Step();
+      EXPECT_EQ(pair.manifold()->getNumContacts(), static_cast<int>(contacts.size())) << gap << " " << distance;
+    }
+  }
+}
+
+TEST(AngularTolerance, TiltedBox_IsOnAnEdgeOnceItsFaceCountsAsOne) {
+  btBoxShape box(Vec(0.5, 0.3, 0.2)), floor(Vec(5, 5, 1));
+  const auto contacts_with = [&](double tolerance) {
+    dgd_bullet::Options options;
+    options.angular_tolerance = tolerance;
+    Dispatching dispatching(Route::kConfiguration, options);
+    PairQuery pair(dispatching.dispatcher(), box, floor);
+    pair.SetPoses(MakeTransform(Eigen::AngleAxisd(0.02, Vector::UnitX()).toRotationMatrix(), {0, 0, 0.2}),
+                  At(0, 0, -1));
+    return pair.Step().size();
+  };
+  EXPECT_EQ(contacts_with(0.1), 4U);
+  EXPECT_LT(contacts_with(0.01), 4U);
+}
+
+TEST(GeometryMode, Sharp_IsTheShapeWithoutItsRounding) {
+  dgd_bullet::Options sharp;
+  sharp.geometry_mode = dgd_bullet::GeometryMode::kSharp;
+  btBoxShape box(Vec(0.5, 0.5, 0.5)), floor(Vec(5, 5, 1));
+  // On its edge, 1 mm deep: as Bullet sees it, rounded by 4 cm, it would be 1.6 cm above the floor.
+  const btTransform on_edge =
+      MakeTransform(Eigen::AngleAxisd(kPi / 4, Vector::UnitX()).toRotationMatrix(), {0, 0, std::sqrt(2) * 0.5 - 0.001});
+  EXPECT_NEAR(DeepestOf(sharp, box, floor, on_edge, At(0, 0, -1)).depth, -0.001, kLength);
+  // Its face reaches to its corners, which the rounded one's does not.
+  Dispatching dispatching(Route::kConfiguration, sharp);
+  PairQuery pair(dispatching.dispatcher(), box, floor);
+  pair.SetPoses(At(0, 0, 0.499), At(0, 0, -1));
+  for (const Contact& contact : pair.Step()) {
+    EXPECT_NEAR(std::abs(contact.on_b.x()), 0.5, kLength);
+    EXPECT_NEAR(std::abs(contact.on_b.y()), 0.5, kLength);
+  }
+  // Hulls lose their margin, cylinders keep their size, spheres are spheres.
+  const auto prism = MakePrism(6, 0.5, 0.2);
+  btCylinderShapeZ cylinder(Vec(0.4, 0.4, 0.3));
+  btSphereShape sphere(btScalar(0.25));
+  EXPECT_NEAR(DeepestOf(sharp, *prism, floor, At(0, 0, 0.199), At(0, 0, -1)).depth, -0.001, kLength);
+  EXPECT_NEAR(DeepestOf(sharp, cylinder, floor, At(0, 0, 0.299), At(0, 0, -1)).depth, -0.001, kLength);
+  EXPECT_NEAR(DeepestOf(sharp, sphere, floor, At(0, 0, 0.249), At(0, 0, -1)).depth, -0.001, kLength);
+}
+
+}  // namespace
+}  // namespace dgd_test
