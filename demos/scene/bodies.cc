@@ -15,16 +15,17 @@ using Eigen::Vector3d;
 
 constexpr int kPlacementAttempts = 10'000;
 
-Body MakeBody(std::string name, Shape shape, double margin, const BodyProperties& properties, const Pose& pose) {
+Body MakeBody(std::string name, Shape shape, double margin, const BodyProperties& properties, const Pose& pose,
+              const Motion& motion = {}) {
   return {std::move(name),     std::move(shape),       margin, properties.mass, properties.inertia,
-          properties.friction, properties.restitution, pose};
+          properties.friction, properties.restitution, pose,   motion};
 }
 
 Body GroundBody(const Scene& scene) {
   const Ground& ground = scene.ground;
   Pose pose;
   pose.position.z() = -ground.half_extents.z();
-  return {"/ground", Box{ground.half_extents}, scene.margin, 0, std::nullopt, ground.friction, 0, pose};
+  return {"/ground", Box{ground.half_extents}, scene.margin, 0, std::nullopt, ground.friction, 0, pose, {}};
 }
 
 // Centres and radii of balls around the bodies placed so far.
@@ -95,7 +96,7 @@ std::vector<Body> MakeBodies(const Scene& scene, std::uint64_t seed) {
     const std::string group_name = "/bodies/" + std::to_string(g);
     std::visit(Overloaded{[&](const SingleBody& single) {
                             bodies.push_back(MakeBody(single.kind + " at " + group_name, single.shape, scene.margin,
-                                                      single.properties, single.pose));
+                                                      single.properties, single.pose, single.motion));
                             occupied.Add(bodies.back());
                           },
                           [&](const RandomPolytopes& group) {

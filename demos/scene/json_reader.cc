@@ -146,6 +146,11 @@ int JsonReader::Integer(int low, int high) const {
   return value_.get<int>();
 }
 
+bool JsonReader::Boolean() const {
+  if (!value_.is_boolean()) Fail("must be true or false, not " + value_.dump());
+  return value_.get<bool>();
+}
+
 std::string JsonReader::Text() const {
   if (!value_.is_string() || value_.get<std::string>().empty()) Fail("must be a text, not " + value_.dump());
   return value_.get<std::string>();

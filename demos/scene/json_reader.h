@@ -39,6 +39,7 @@ class JsonReader {
 
   double Number(const Range& range) const;
   int Integer(int low, int high) const;
+  bool Boolean() const;
   std::string Text() const;                          ///< A string that is not empty.
   Eigen::Vector3d Vector(const Range& range) const;  ///< Three numbers, each within the range.
 

@@ -19,7 +19,7 @@ struct Ground {
 };
 
 struct BodyProperties {
-  double mass;                             ///< kg
+  double mass;                             ///< kg; 0: static (single bodies only).
   std::optional<Eigen::Vector3d> inertia;  ///< About the local axes, kg m^2; without it, Bullet's estimate.
   double friction;
   double restitution;
@@ -34,11 +34,18 @@ struct RandomPolytopes {
   Eigen::Vector3d region_min, region_max;  ///< Box in which the centres start, m.
 };
 
+/// How a body moves at the start, in the world frame. Not at all, unless the file says so.
+struct Motion {
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< Of the centre of mass, m/s.
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< rad/s
+};
+
 struct SingleBody {
   BodyProperties properties;
   std::string kind;  ///< The file's "type", for messages.
   Shape shape;
   Pose pose;
+  Motion motion = {};
 };
 
 using BodyGroup = std::variant<RandomPolytopes, SingleBody>;
@@ -53,6 +60,7 @@ struct Scene {
   double duration;          ///< s
   double margin;            ///< Collision margin of every body and of the ground, m.
   Ground ground;
+  bool sleeping = true;  ///< Whether Bullet may put bodies that hardly move to sleep, which ends their jitter.
   std::vector<BodyGroup> bodies;
   std::vector<double> snapshots;  ///< Times of the pictures, s, ascending.
 };

@@ -22,10 +22,13 @@ constexpr Range kSize = {0, 1e3, /*low_is_allowed=*/false};  // m
 constexpr Range kCoordinate = {-1e4, 1e4};                   // m
 constexpr Range kAngle = {-2 * std::numbers::pi, 2 * std::numbers::pi};
 constexpr Range kMass = {0, 1e6, /*low_is_allowed=*/false};     // kg
+constexpr Range kMassOrStatic = {0, 1e6};                       // kg
 constexpr Range kInertia = {0, 1e9, /*low_is_allowed=*/false};  // kg m^2
 constexpr Range kFriction = {0, 10};
 constexpr Range kRestitution = {0, 1};
 constexpr Range kAcceleration = {-1e3, 1e3};                     // m/s^2
+constexpr Range kVelocity = {-1e3, 1e3};                         // m/s
+constexpr Range kAngularVelocity = {-1e3, 1e3};                  // rad/s
 constexpr Range kTimeStep = {0, 0.1, /*low_is_allowed=*/false};  // s
 constexpr Range kMargin = {0, 1};                                // m
 constexpr Range kScale = {0, 1e6, /*low_is_allowed=*/false};
@@ -52,8 +55,8 @@ std::optional<Vector3d> ReadInertia(const JsonReader& body) {
   return Vector3d::Constant(inertia.Number(kInertia));
 }
 
-BodyProperties ReadProperties(const JsonReader& body) {
-  return {body.At("mass").Number(kMass), ReadInertia(body), NumberOr(body, "friction", kFriction, kDefaultFriction),
+BodyProperties ReadProperties(const JsonReader& body, const Range& mass) {
+  return {body.At("mass").Number(mass), ReadInertia(body), NumberOr(body, "friction", kFriction, kDefaultFriction),
           NumberOr(body, "restitution", kRestitution, kDefaultRestitution)};
 }
 
@@ -71,6 +74,18 @@ Pose ReadPose(const JsonReader& body) {
   return pose;
 }
 
+Motion ReadMotion(const JsonReader& body, bool is_static) {
+  Motion motion;
+  const auto read = [&](const char* key, const Range& range, Vector3d& target) {
+    if (!body.Has(key)) return;
+    target = body.At(key).Vector(range);
+    if (is_static) body.At(key).Fail("a body of mass 0 does not move, but this is " + body.At(key).Dump());
+  };
+  read("velocity", kVelocity, motion.velocity);
+  read("angular_velocity", kAngularVelocity, motion.angular_velocity);
+  return motion;
+}
+
 Shape ReadMesh(const JsonReader& body, const std::filesystem::path& folder) {
   const JsonReader file = body.At("file");
   const std::filesystem::path path = folder / file.Text();
@@ -85,7 +100,7 @@ Shape ReadMesh(const JsonReader& body, const std::filesystem::path& folder) {
 RandomPolytopes ReadRandomPolytopes(const JsonReader& group) {
   group.AllowOnly({"type", "mass", "inertia", "friction", "restitution", "count", "vertices", "diameter", "region"});
   RandomPolytopes polytopes;
-  polytopes.properties = ReadProperties(group);
+  polytopes.properties = ReadProperties(group, kMass);
   polytopes.count = group.At("count").Integer(1, kMaxCount);
 
   const JsonReader vertices = group.At("vertices");
@@ -107,7 +122,8 @@ RandomPolytopes ReadRandomPolytopes(const JsonReader& group) {
 // The shapes that a file can name, each with its own keys.
 SingleBody ReadSingleBody(const JsonReader& body, const std::string& type, const std::filesystem::path& folder) {
   const auto allow = [&](auto... own_keys) {
-    body.AllowOnly({"type", "mass", "inertia", "friction", "restitution", "position", "rotation", own_keys...});
+    body.AllowOnly({"type", "mass", "inertia", "friction", "restitution", "position", "rotation", "velocity",
+                    "angular_velocity", own_keys...});
   };
   const auto size = [&](const char* key) { return body.At(key).Number(kSize); };
   const auto shape = [&]() -> Shape {
@@ -138,7 +154,9 @@ SingleBody ReadSingleBody(const JsonReader& body, const std::string& type, const
     body.At("type").Fail("must be random_polytopes, sphere, capsule, box, cylinder, cone or mesh, not \"" + type +
                          "\"");
   };
-  return {ReadProperties(body), type, shape(), ReadPose(body)};
+  const Shape read_shape = shape();  // First: it knows which keys are allowed.
+  const BodyProperties properties = ReadProperties(body, kMassOrStatic);
+  return {properties, type, read_shape, ReadPose(body), ReadMotion(body, properties.mass == 0)};
 }
 
 BodyGroup ReadBodyGroup(const JsonReader& group, const std::filesystem::path& folder) {
@@ -163,7 +181,7 @@ Scene LoadScene(const std::filesystem::path& file) {
   Scene scene;
   scene.file = file.string();
   const JsonReader root(scene.file, document);
-  root.AllowOnly({"about", "gravity", "time_step", "duration", "margin", "ground", "bodies", "snapshots"});
+  root.AllowOnly({"about", "gravity", "time_step", "duration", "margin", "ground", "sleeping", "bodies", "snapshots"});
 
   scene.about = root.At("about").Text();
   scene.gravity = root.At("gravity").Vector(kAcceleration);
@@ -171,6 +189,7 @@ Scene LoadScene(const std::filesystem::path& file) {
   scene.duration = root.At("duration").Number({scene.time_step, kMaxDuration});
   scene.margin = root.At("margin").Number(kMargin);
   scene.ground = ReadGround(root.At("ground"));
+  if (root.Has("sleeping")) scene.sleeping = root.At("sleeping").Boolean();
 
   const JsonReader bodies = root.At("bodies");
   for (std::size_t i = 0; i < bodies.Size(); ++i) {

@@ -17,7 +17,8 @@ using Eigen::Vector3d;
 constexpr double kHeadroom = 10;
 
 Vector3d BulletInertia(const Body& body, const btConvexShape& shape) {
-  if (body.inertia || body.mass == 0) return body.inertia.value_or(Vector3d::Zero());
+  if (body.mass == 0) return Vector3d::Zero();
+  if (body.inertia) return *body.inertia;
   btVector3 inertia;
   shape.calculateLocalInertia(ToBullet(body.mass), inertia);
   return FromBullet(inertia);
@@ -44,6 +45,7 @@ World::World(const Scene& scene, const std::vector<Body>& bodies, Narrowphase na
     : configuration_(MakeCollisionConfiguration(narrowphase)),
       dispatcher_(configuration_.get()),
       world_(&dispatcher_, &broadphase_, &solver_, configuration_.get()),
+      may_sleep_(scene.sleeping),
       gravity_(scene.gravity),
       time_step_(scene.time_step) {
   world_.setGravity(ToBullet(gravity_));
@@ -66,6 +68,9 @@ void World::AddBody(const Body& body, int index) {
   info.m_restitution = ToBullet(body.restitution);
   rigid_bodies_.push_back(std::make_unique<btRigidBody>(info));
   rigid_bodies_.back()->setUserIndex(index);
+  rigid_bodies_.back()->setLinearVelocity(ToBullet(body.motion.velocity));
+  rigid_bodies_.back()->setAngularVelocity(ToBullet(body.motion.angular_velocity));
+  if (!may_sleep_) rigid_bodies_.back()->setActivationState(DISABLE_DEACTIVATION);
   world_.addRigidBody(rigid_bodies_.back().get());
   names_.push_back(body.name);
 }

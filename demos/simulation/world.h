@@ -53,6 +53,7 @@ class World {
   btDiscreteDynamicsWorld world_;
 
   std::vector<std::string> names_;
+  bool may_sleep_;
   Eigen::Vector3d gravity_;
   Eigen::Vector3d room_min_, room_max_;  // Where a body's centre may be.
   double time_step_;

@@ -52,10 +52,33 @@ TEST(SceneFileTest, ValidFile_IsReadAsWritten) {
   EXPECT_NEAR(body.pose.rotation(2, 2), 1, 1e-15);
 }
 
+TEST(SceneFileTest, WhatIsOptional_IsReadAsWritten) {
+  const TestFolder folder;
+  const Scene still = LoadScene(folder.Write("still.json", ValidSceneText()));
+  EXPECT_TRUE(still.sleeping);
+  EXPECT_TRUE(std::get<SingleBody>(still.bodies[0]).motion.velocity.isZero(0));
+  EXPECT_TRUE(std::get<SingleBody>(still.bodies[0]).motion.angular_velocity.isZero(0));
+
+  std::string text = Replaced(ValidSceneText(), R"("bodies")", R"("sleeping": false, "bodies")");
+  text = Replaced(text, R"("mass": 2)", R"("mass": 2, "velocity": [1, 2, -3], "angular_velocity": [0, 0, 4])");
+  const Scene scene = LoadScene(folder.Write("scene.json", text));
+  EXPECT_FALSE(scene.sleeping);
+  EXPECT_EQ(std::get<SingleBody>(scene.bodies[0]).motion.velocity, Eigen::Vector3d(1, 2, -3));
+  EXPECT_EQ(std::get<SingleBody>(scene.bodies[0]).motion.angular_velocity, Eigen::Vector3d(0, 0, 4));
+
+  const Scene fixed =
+      LoadScene(folder.Write("static.json", Replaced(ValidSceneText(), R"("mass": 2)", R"("mass": 0)")));
+  EXPECT_EQ(std::get<SingleBody>(fixed.bodies[0]).properties.mass, 0);
+}
+
 TEST(SceneFileTest, ShippedScenes_AreValid) {
-  for (const char* name : {"polytopes_50.json", "mixed_shapes.json"}) {
-    EXPECT_NO_THROW(LoadScene(std::filesystem::path(DGD_TEST_SCENES) / name)) << name;
+  int scenes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(DGD_TEST_SCENES)) {
+    if (entry.path().extension() != ".json") continue;
+    EXPECT_NO_THROW(LoadScene(entry.path())) << entry.path();
+    ++scenes;
   }
+  EXPECT_GE(scenes, 2) << "is " << DGD_TEST_SCENES << " the right folder?";
 }
 
 TEST(SceneFileTest, MeshFile_IsConvexifiedScaledAndCentred) {
@@ -112,6 +135,16 @@ const Slip kSlips[] = {
     {"ZeroSize", "0.4, 0.3", "0, 0.3", {": /bodies/0/half_extents/1: must be above 0", "not 0"}},
     {"TwoNumbersForThree", "[0.5, 0.4, 0.3]", "[0.5, 0.4]", {": /bodies/0/half_extents: ", "[0.5,0.4]"}},
     {"NegativeMass", R"("mass": 2)", R"("mass": -2)", {": /bodies/0/mass: ", "-2"}},
+    {"VelocityOfAStaticBody",
+     R"("mass": 2)",
+     R"("mass": 0, "velocity": [1, 0, 0])",
+     {": /bodies/0/velocity: ", "mass 0", "[1,0,0]"}},
+    {"HugeVelocity", R"("mass": 2)", R"("mass": 2, "velocity": [0, 1e4, 0])", {": /bodies/0/velocity/1: ", "10000"}},
+    {"HugeAngularVelocity",
+     R"("mass": 2)",
+     R"("mass": 2, "angular_velocity": [0, 0, -1e4])",
+     {": /bodies/0/angular_velocity/2: ", "-10000"}},
+    {"NumberForTruth", R"("bodies")", R"("sleeping": 0, "bodies")", {": /sleeping: must be true or false, not 0"}},
     {"NegativeInertia", R"("mass": 2)", R"("mass": 2, "inertia": [1, 1, -1])", {": /bodies/0/inertia/2: ", "-1"}},
     {"DegreesForRadians", "0, 0.5]", "0, 90]", {": /bodies/0/rotation/2: ", "90"}},
     {"UnknownType", R"("box")", R"("teapot")", {": /bodies/0/type: ", "\"teapot\""}},
@@ -150,6 +183,7 @@ const Slip kPolytopeSlips[] = {
     {"TooFewVertices", R"("min": 8)", R"("min": 3)", {"/vertices/min: must be from 4", "not 3"}},
     {"MaxBelowMin", R"("max": 20)", R"("max": 7)", {"/vertices/max: must be from 8", "not 7"}},
     {"FractionOfAVertex", R"("min": 8)", R"("min": 8.5)", {"/vertices/min: must be an integer", "8.5"}},
+    {"StaticPolytopes", R"("mass": 1)", R"("mass": 0)", {"/mass: must be above 0", "not 0"}},
     {"ZeroCount", R"("count": 3)", R"("count": 0)", {"/count: ", "not 0"}},
     {"NegativeDiameter", R"("diameter": 1)", R"("diameter": -1)", {"/diameter: ", "-1"}},
     {"RegionInsideOut", R"("max": [1, 1, 4])", R"("max": [1, 1, 0])", {"/region: ", "[1,1,0]"}},
