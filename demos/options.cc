@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "scene_options.h"
 #include "seed_option.h"
 
 namespace dgd_demos {
@@ -40,20 +41,7 @@ Written into DIR:
 Exit status: 0 all went well; 1 a body left the world or a value was not finite; 2 wrong command line
 or scene file, or the output cannot be written.)";
 
-constexpr int kMaxOracleEvery = 1'000'000;
 constexpr const char* kDefaultScene = "scenes/polytopes_50.json";
-
-// Where the default scene may be: here, beside an installed program, in the source tree it was built from.
-std::filesystem::path FindDefaultScene() {
-  std::error_code ignored;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
-  for (const std::filesystem::path& folder :
-       {std::filesystem::path(), program.parent_path() / ".." / DGD_DEMOS_INSTALLED_DATA,
-        std::filesystem::path(DGD_DEMOS_SOURCE_DIR)}) {
-    if (std::filesystem::exists(folder / kDefaultScene, ignored)) return (folder / kDefaultScene).lexically_normal();
-  }
-  return kDefaultScene;  // Its absence is then reported like that of any other scene file.
-}
 
 }  // namespace
 
@@ -63,7 +51,7 @@ std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* 
       {"builtin", {Narrowphase::kBuiltin}},
       {"both", {Narrowphase::kBuiltin, Narrowphase::kDgd}}};
   Options options;
-  options.scene = FindDefaultScene();
+  options.scene = FindData(kDefaultScene);
   std::string narrowphase = "both";
   bool no_snapshots = false;
 
@@ -79,12 +67,8 @@ std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* 
   app.add_option("--out", options.out, "Folder for the results; made if missing")
       ->type_name("DIR")
       ->capture_default_str();
-  app.add_option("--duration", options.duration, "Simulated time in s, in place of the scene's")->type_name("S");
-  app.add_option("--oracle-every", options.oracle_every,
-                 "Steps from one computation of the true penetration to the next")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMaxOracleEvery).description(""))
-      ->capture_default_str();
+  AddDurationOption(app, options.duration);
+  AddOracleEveryOption(app, options.oracle_every);
   app.add_flag("--no-snapshots", no_snapshots, "Draw no pictures");
 
   try {

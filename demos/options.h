@@ -7,16 +7,10 @@
 #include <variant>
 #include <vector>
 
+#include "exit_status.h"
 #include "simulation/narrowphase.h"
 
 namespace dgd_demos {
-
-/// Exit statuses, as --help lists them.
-enum ExitStatus {
-  kSuccess = 0,
-  kLostBody = 1,  ///< A body left the world, or a value was not finite.
-  kBadInput = 2,  ///< Command line or scene file; or the output cannot be written.
-};
 
 struct Options {
   std::filesystem::path scene;

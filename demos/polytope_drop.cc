@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -13,26 +12,11 @@
 #include "report/progress_bar.h"
 #include "report/step_csv.h"
 #include "scene/bodies.h"
-#include "scene/scene_file.h"
+#include "scene_options.h"
 #include "simulation/drop_run.h"
 
 namespace dgd_demos {
 namespace {
-
-Scene LoadSceneFor(const Options& options) {
-  Scene scene = LoadScene(options.scene);
-  if (!options.duration) return scene;
-  const bool in_range = *options.duration >= scene.time_step && *options.duration <= kMaxDuration;  // False for NaN.
-  if (!in_range) {
-    std::ostringstream complaint;
-    complaint << "--duration: must be from one time step (" << scene.time_step << ") up to " << kMaxDuration
-              << " s, not " << *options.duration;
-    throw SceneError(complaint.str());
-  }
-  scene.duration = *options.duration;
-  std::erase_if(scene.snapshots, [&](double time) { return time > scene.duration; });
-  return scene;
-}
 
 DropRun RunAndRecord(const Scene& scene, const std::vector<Body>& bodies, Narrowphase narrowphase,
                      const Options& options) {
@@ -46,7 +30,7 @@ DropRun RunAndRecord(const Scene& scene, const std::vector<Body>& bodies, Narrow
 }
 
 ExitStatus Run(const Options& options) {
-  const Scene scene = LoadSceneFor(options);
+  const Scene scene = LoadSceneFor(options.scene, options.duration);
   const std::vector<Body> bodies = MakeBodies(scene, options.seed);
   std::filesystem::create_directories(options.out);
 
@@ -54,7 +38,7 @@ ExitStatus Run(const Options& options) {
   std::vector<TableColumn> columns;
   for (const Narrowphase narrowphase : options.narrowphases) {
     runs.push_back({narrowphase, RunAndRecord(scene, bodies, narrowphase, options)});
-    columns.push_back({std::string(NameOf(narrowphase)), runs.back().run.summary});
+    columns.push_back({std::string(NameOf(narrowphase)), {runs.back().run.summary}});
   }
   if (options.draw_snapshots) WritePictures(scene, bodies, options.seed, runs, options.out);
 

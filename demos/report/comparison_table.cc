@@ -4,52 +4,19 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <limits>
-#include <stdexcept>
+
+#include "report/csv_file.h"
+#include "report/figures.h"
 
 namespace dgd_demos {
 namespace {
 
-struct Row {
-  const char* title;   // For people, with the unit in which the figure is shown.
-  const char* key;     // For programs, with the SI unit of the figure.
-  const char* format;  // Of the figure in the title's unit.
-  double unit;         // Title's unit in the key's.
-  double (*figure)(const RunSummary&);
-};
-
-double PerStep(double sum, const RunSummary& run) { return sum / run.steps; }
-
-// The one list of rows: the printed table and summary.csv both follow it.
-constexpr std::array kRows = {
-    Row{"deepest penetration, reported (cm)", "deepest_reported_penetration_m", "%.3f", 1e-2,
-        [](const RunSummary& run) { return run.deepest_reported; }},
-    Row{"deepest penetration, true (cm)", "deepest_true_penetration_m", "%.3f", 1e-2,
-        [](const RunSummary& run) { return run.deepest_true; }},
-    Row{"  the deepest of a step, mean (cm)", "mean_true_penetration_m", "%.4f", 1e-2,
-        [](const RunSummary& run) { return run.mean_true; }},
-    Row{"kinetic energy at the end (J)", "kinetic_energy_end_j", "%.4f", 1,
-        [](const RunSummary& run) { return run.kinetic_energy_end; }},
-    Row{"potential energy dissipated (%)", "potential_energy_dissipated_share", "%.2f", 1e-2,
-        [](const RunSummary& run) { return run.dissipated_share; }},
-    Row{"pairs of overlapping boxes", "pairs", "%.0f", 1,
-        [](const RunSummary& run) { return static_cast<double>(run.pairs); }},
-    Row{"  of these queried (not asleep)", "queries", "%.0f", 1,
-        [](const RunSummary& run) { return static_cast<double>(run.queries); }},
-    Row{"narrowphase per queried pair (us)", "narrowphase_us_per_query", "%.3f", 1,
-        [](const RunSummary& run) { return run.narrowphase_us / static_cast<double>(run.queries); }},
-    Row{"contacts, mean over steps", "contacts_mean", "%.1f", 1,
-        [](const RunSummary& run) { return PerStep(static_cast<double>(run.contacts), run); }},
-    Row{"fallbacks to GJK/EPA", "fallbacks", "%.0f", 1,
-        [](const RunSummary& run) { return static_cast<double>(run.fallbacks); }},
-    Row{"wall time of the steps (s)", "wall_time_s", "%.2f", 1, [](const RunSummary& run) { return run.wall_time; }},
-};
-
-constexpr int kTitleWidth = 36;
+constexpr int kTitleWidth = 38;
 constexpr int kFigureWidth = 12;
 
+// Nothing, or never, is not a number to show.
 std::string Format(const char* format, double number) {
+  if (!std::isfinite(number)) return "-";
   std::array<char, 64> text;
   std::snprintf(text.data(), text.size(), format, number);
   return text.data();
@@ -64,42 +31,45 @@ std::string Left(std::string text) {
   return text;
 }
 
-// Nothing has a ratio to nothing.
-std::string Ratio(double numerator, double denominator) {
-  const double ratio = numerator / denominator;
-  return std::isfinite(ratio) ? Format("%.2f", ratio) : "-";
+std::string HeaderLine(const std::vector<TableColumn>& columns) {
+  std::string line = Left("");
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    line += Right(columns[c].narrowphase);
+    if (c > 0) line += Right("ratio");
+  }
+  return line + '\n';
+}
+
+std::string FigureLine(const Figure& figure, const std::vector<TableColumn>& columns) {
+  std::string line = Left(figure.title);
+  const double first = FigureOf(figure, columns.front().runs);
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    const double value = FigureOf(figure, columns[c].runs);
+    line += Right(Format(figure.format, value / figure.unit));
+    if (c > 0) line += Right(Format("%.2f", value / first));  // Nothing has a ratio to nothing.
+  }
+  return line + '\n';
 }
 
 }  // namespace
 
 std::string FormatTable(const std::vector<TableColumn>& columns) {
-  const bool has_ratio = columns.size() == 2;
-  std::string table = Left("");
-  for (const TableColumn& column : columns) table += Right(column.narrowphase);
-  if (has_ratio) table += Right("ratio");
-  table += '\n';
-  for (const Row& row : kRows) {
-    table += Left(row.title);
-    for (const TableColumn& column : columns) table += Right(Format(row.format, row.figure(column.summary) / row.unit));
-    if (has_ratio) table += Right(Ratio(row.figure(columns[1].summary), row.figure(columns[0].summary)));
-    table += '\n';
-  }
+  std::string table = HeaderLine(columns);
+  for (const Figure& figure : Figures()) table += FigureLine(figure, columns);
   return table;
 }
 
 void WriteTableCsv(const std::filesystem::path& file, const std::vector<TableColumn>& columns) {
-  std::ofstream stream(file);
-  stream.precision(std::numeric_limits<double>::max_digits10);
-  stream << "figure";
-  for (const TableColumn& column : columns) stream << ',' << column.narrowphase;
-  stream << '\n';
-  for (const Row& row : kRows) {
-    stream << row.key;
-    for (const TableColumn& column : columns) stream << ',' << row.figure(column.summary);
-    stream << '\n';
+  CsvFile csv(file);
+  csv.stream() << "figure";
+  for (const TableColumn& column : columns) csv.stream() << ',' << column.narrowphase;
+  csv.stream() << '\n';
+  for (const Figure& figure : Figures()) {
+    csv.stream() << figure.key;
+    for (const TableColumn& column : columns) csv.stream() << ',' << FigureOf(figure, column.runs);
+    csv.stream() << '\n';
   }
-  stream.close();
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
+  csv.Flush();
 }
 
 }  // namespace dgd_demos

@@ -1,4 +1,4 @@
-// The table at the end: a row a figure with its unit, a column a narrowphase, and their ratio where both ran.
+// The table at the end: a row a figure with its unit, a column a narrowphase, and their ratio where several ran.
 #pragma once
 
 #include <filesystem>
@@ -11,10 +11,11 @@ namespace dgd_demos {
 
 struct TableColumn {
   std::string narrowphase;
-  RunSummary summary;
+  std::vector<RunSummary> runs;  ///< Of one scene: a run a seed, at least one.
 };
 
-/// The rows aligned for reading. With exactly two columns, a third has the quotient second / first.
+/// The rows aligned for reading; "-" where a run has no such figure. Each column after the first is followed by its
+/// quotient by the first.
 std::string FormatTable(const std::vector<TableColumn>& columns);
 
 /// The same figures for programs: one line a row, 17 significant digits, and the key of each row in place of its title.

@@ -1,41 +1,28 @@
 #include "report/step_csv.h"
 
-#include <cerrno>
-#include <cstring>
-#include <limits>
-#include <stdexcept>
-
 namespace dgd_demos {
-namespace {
 
-void CheckWritten(const std::ofstream& stream, const std::filesystem::path& file) {
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be written: " + std::strerror(errno));
-}
-
-}  // namespace
-
-StepCsv::StepCsv(const std::filesystem::path& file, const RunInfo& info) : file_(file), stream_(file) {
-  CheckWritten(stream_, file_);
-  stream_.precision(std::numeric_limits<double>::max_digits10);
-  stream_ << "# scene: " << info.scene << "\n# seed: " << info.seed << "\n# narrowphase: " << info.narrowphase
-          << "\n# precision: " << info.precision << "\n# build type: " << info.build_type
-          << "\n# Energies are those at time_s, the end of the step. The collision columns are those of the step's "
-             "collision detection, at the poses in which the step began; pairs are overlapping bounding boxes, queries "
-             "those of them in which a body is awake. deepest_true_penetration_m is empty where it was not computed.\n"
-          << "time_s,kinetic_energy_j,potential_energy_j,contacts,deepest_reported_penetration_m,narrowphase_us,pairs,"
-             "queries,fallbacks,deepest_true_penetration_m"
-          << std::endl;
-  CheckWritten(stream_, file_);
+StepCsv::StepCsv(const std::filesystem::path& file, const RunInfo& info) : csv_(file) {
+  csv_.stream()
+      << "# scene: " << info.scene << "\n# seed: " << info.seed << "\n# narrowphase: " << info.narrowphase
+      << "\n# precision: " << info.precision << "\n# build type: " << info.build_type
+      << "\n# Energies are those at time_s, the end of the step. The collision columns are those of the step's "
+         "collision detection, at the poses in which the step began; pairs are overlapping bounding boxes, queries "
+         "those of them in which a body is awake. deepest_true_penetration_m is empty where it was not computed.\n"
+      << "time_s,kinetic_energy_j,potential_energy_j,contacts,deepest_reported_penetration_m,narrowphase_us,pairs,"
+         "queries,fallbacks,deepest_true_penetration_m\n";
+  csv_.Flush();
 }
 
 void StepCsv::Write(const StepRecord& step) {
   const CollisionReport& collision = step.collision;
-  stream_ << step.time << ',' << step.energy.kinetic << ',' << step.energy.potential << ',' << collision.contacts << ','
-          << collision.deepest_penetration << ',' << collision.narrowphase_us << ',' << collision.pairs << ','
-          << collision.queries << ',' << collision.fallbacks << ',';
-  if (step.true_penetration) stream_ << *step.true_penetration;
-  stream_ << std::endl;
-  CheckWritten(stream_, file_);
+  std::ostream& stream = csv_.stream();
+  stream << step.time << ',' << step.energy.kinetic << ',' << step.energy.potential << ',' << collision.contacts << ','
+         << collision.deepest_penetration << ',' << collision.narrowphase_us << ',' << collision.pairs << ','
+         << collision.queries << ',' << collision.fallbacks << ',';
+  if (step.true_penetration) stream << *step.true_penetration;
+  stream << '\n';
+  csv_.Flush();
 }
 
 }  // namespace dgd_demos

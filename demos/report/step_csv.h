@@ -3,9 +3,9 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
+#include "report/csv_file.h"
 #include "simulation/step_record.h"
 
 namespace dgd_demos {
@@ -32,8 +32,7 @@ class StepCsv {
   void Write(const StepRecord& step);
 
  private:
-  std::filesystem::path file_;
-  std::ofstream stream_;
+  CsvFile csv_;
 };
 
 }  // namespace dgd_demos

@@ -1,6 +1,5 @@
 #include "simulation/drop_run.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <sstream>
@@ -8,50 +7,13 @@
 #include <utility>
 
 #include "simulation/penetration_oracle.h"
+#include "simulation/tally.h"
 #include "simulation/world.h"
 
 namespace dgd_demos {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-// The sums and extremes of a run as it goes.
-class Tally {
- public:
-  void Add(const StepRecord& step);
-  RunSummary Summary(double initial_potential, double wall_time) const;
-
- private:
-  RunSummary sums_;
-  Energy energy_{};
-  double sum_of_true_ = 0;
-  int oracle_steps_ = 0;
-};
-
-void Tally::Add(const StepRecord& step) {
-  ++sums_.steps;
-  sums_.deepest_reported = std::max(sums_.deepest_reported, step.collision.deepest_penetration);
-  sums_.pairs += static_cast<std::uint64_t>(step.collision.pairs);
-  sums_.queries += static_cast<std::uint64_t>(step.collision.queries);
-  sums_.narrowphase_us += step.collision.narrowphase_us;
-  sums_.contacts += static_cast<std::uint64_t>(step.collision.contacts);
-  sums_.fallbacks += step.collision.fallbacks;
-  energy_ = step.energy;
-  if (step.true_penetration) {
-    ++oracle_steps_;
-    sum_of_true_ += *step.true_penetration;
-    sums_.deepest_true = std::max(sums_.deepest_true, *step.true_penetration);
-  }
-}
-
-RunSummary Tally::Summary(double initial_potential, double wall_time) const {
-  RunSummary summary = sums_;
-  summary.mean_true = sum_of_true_ / std::max(1, oracle_steps_);
-  summary.kinetic_energy_end = energy_.kinetic;
-  summary.dissipated_share = 1 - (energy_.kinetic + energy_.potential) / initial_potential;
-  summary.wall_time = wall_time;
-  return summary;
-}
 
 // Takes a step, and has the oracle judge what the step's collision detection was given.
 class Stepper {
@@ -96,7 +58,6 @@ DropRun RunDrop(const Scene& scene, const std::vector<Body>& bodies, Narrowphase
                 const std::function<void(const StepRecord&)>& on_step) {
   Stepper stepper(scene, bodies, narrowphase, oracle_every);
   World& world = stepper.world();
-  const double initial_potential = world.TotalEnergy().potential;
   DropRun run;
 
   auto next_picture = scene.snapshots.begin();
@@ -107,11 +68,11 @@ DropRun RunDrop(const Scene& scene, const std::vector<Body>& bodies, Narrowphase
   };
   take_due_pictures(0);
 
-  Tally tally;
+  Tally tally(scene, bodies, world.TotalEnergy());
   const int step_count = StepCount(scene);
   for (int number = 1; number <= step_count && !run.failure; ++number) {
     const StepRecord step = stepper.Step(number);
-    tally.Add(step);
+    tally.Add(step, world.Speeds());
     on_step(step);
     // Half a step early rather than a whole one late, should the product of number and step round down.
     take_due_pictures(step.time + scene.time_step / 2);
@@ -121,8 +82,9 @@ DropRun RunDrop(const Scene& scene, const std::vector<Body>& bodies, Narrowphase
       run.failure = sentence.str();
     }
   }
-  run.summary = tally.Summary(initial_potential, stepper.wall_time());
-  run.end_state = {run.summary.steps * scene.time_step, world.Poses(), world.Speeds()};
+  run.end_state = {tally.steps() * scene.time_step, world.Poses(), world.Speeds()};
+  run.summary = tally.Summary(run.end_state.poses, stepper.wall_time());
+  run.summary.lost_bodies = run.failure ? 1 : 0;
   return run;
 }
 

@@ -2,12 +2,41 @@
 
 #include <dgd_bullet/collision_configuration.h>
 
-namespace dgd_demos {
+#include <algorithm>
+#include <array>
+#include <optional>
 
-std::string_view NameOf(Narrowphase narrowphase) { return narrowphase == Narrowphase::kDgd ? "dgd" : "builtin"; }
+namespace dgd_demos {
+namespace {
+
+struct Variant {
+  Narrowphase narrowphase;
+  std::string_view name;
+  std::optional<dgd_bullet::Options> options;  // None: Bullet's own.
+};
+
+constexpr std::array kVariants = {
+    Variant{Narrowphase::kBuiltin, "builtin", std::nullopt},
+    Variant{Narrowphase::kDgd, "dgd", dgd_bullet::Options{}},
+};
+
+const Variant& VariantOf(Narrowphase narrowphase) {
+  return *std::ranges::find(kVariants, narrowphase, &Variant::narrowphase);
+}
+
+}  // namespace
+
+std::vector<Narrowphase> AllNarrowphases() {
+  std::vector<Narrowphase> all;
+  for (const Variant& variant : kVariants) all.push_back(variant.narrowphase);
+  return all;
+}
+
+std::string_view NameOf(Narrowphase narrowphase) { return VariantOf(narrowphase).name; }
 
 std::unique_ptr<btDefaultCollisionConfiguration> MakeCollisionConfiguration(Narrowphase narrowphase) {
-  if (narrowphase == Narrowphase::kDgd) return std::make_unique<dgd_bullet::CollisionConfiguration>();
+  const std::optional<dgd_bullet::Options>& options = VariantOf(narrowphase).options;
+  if (options) return std::make_unique<dgd_bullet::CollisionConfiguration>(*options);
   return std::make_unique<btDefaultCollisionConfiguration>();
 }
 

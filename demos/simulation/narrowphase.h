@@ -6,13 +6,18 @@
 #include <cstdint>
 #include <memory>
 #include <string_view>
+#include <vector>
 
 namespace dgd_demos {
 
+/// Each has its row in narrowphase.cc: name, and options of the plugin. A new variant is an enumerator and such a row.
 enum class Narrowphase {
   kBuiltin,  ///< Bullet's GJK/EPA and its special pairs.
   kDgd,      ///< The growth distance, by the plugin.
 };
+
+/// All of them, in the order in which they are listed and compared.
+std::vector<Narrowphase> AllNarrowphases();
 
 /// As on the command line and in file names.
 std::string_view NameOf(Narrowphase narrowphase);

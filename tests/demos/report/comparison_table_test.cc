@@ -6,6 +6,7 @@
 
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "small_scenes.h"
 
@@ -43,25 +44,53 @@ std::string CellsOf(const std::string& table, const std::string& title) {
 }
 
 TEST(ComparisonTableTest, TwoRuns_FiguresInTheirUnitsAndTheirRatio) {
-  const std::string table = FormatTable({{"builtin", ExampleSummary(1)}, {"dgd", ExampleSummary(0.5)}});
+  const std::string table = FormatTable({{"builtin", {ExampleSummary(1)}}, {"dgd", {ExampleSummary(0.5)}}});
   EXPECT_EQ(CellsOf(table, "builtin"), "dgd ratio");
   EXPECT_EQ(CellsOf(table, "deepest penetration, reported (cm)"), "2.000 1.000 0.50");
   EXPECT_EQ(CellsOf(table, "deepest penetration, true (cm)"), "3.000 1.500 0.50");
-  EXPECT_EQ(CellsOf(table, "potential energy dissipated (%)"), "90.00 90.00 1.00");
+  EXPECT_EQ(CellsOf(table, "energy dissipated (%)"), "90.00 90.00 1.00");
   EXPECT_EQ(CellsOf(table, "narrowphase per queried pair (us)"), "0.800 0.400 0.50");
   EXPECT_EQ(CellsOf(table, "contacts, mean over steps"), "7.0 7.0 1.00");
   EXPECT_EQ(CellsOf(table, "fallbacks to GJK/EPA"), "0 0 -") << "nothing has a ratio to nothing";
 }
 
 TEST(ComparisonTableTest, OneRun_HasNoRatio) {
-  const std::string table = FormatTable({{"dgd", ExampleSummary(1)}});
+  const std::string table = FormatTable({{"dgd", {ExampleSummary(1)}}});
   EXPECT_EQ(table.substr(0, table.find('\n')).find("ratio"), std::string::npos);
   EXPECT_EQ(CellsOf(table, "deepest penetration, true (cm)"), "3.000");
 }
 
+TEST(ComparisonTableTest, WhatNeverCameOrWasNotMeasured_IsADash) {
+  const std::string table = FormatTable({{"builtin", {ExampleSummary(1)}}, {"dgd", {ExampleSummary(1)}}});
+  EXPECT_EQ(CellsOf(table, "time to rest (s)"), "- - -");
+  EXPECT_EQ(CellsOf(table, "the deepest in the last second (cm)"), "- - -");
+}
+
+TEST(ComparisonTableTest, ThreeColumns_EachLaterOneHasItsRatioToTheFirst) {
+  const std::string table =
+      FormatTable({{"builtin", {ExampleSummary(1)}}, {"dgd", {ExampleSummary(0.5)}}, {"other", {ExampleSummary(2)}}});
+  EXPECT_EQ(CellsOf(table, "builtin"), "dgd ratio other ratio");
+  EXPECT_EQ(CellsOf(table, "deepest penetration, true (cm)"), "3.000 1.500 0.50 6.000 2.00");
+}
+
+TEST(ComparisonTableTest, SeveralSeeds_MedianOfFiguresAndSumOfWhatShouldNotHappen) {
+  RunSummary odd = ExampleSummary(5);
+  odd.fallbacks = 2;
+  odd.lost_bodies = 1;
+  odd.deepest_at_rest = 0.04;  // The others have no such figure.
+  const std::vector<RunSummary> runs = {odd, ExampleSummary(1), ExampleSummary(2)};
+  const std::string table = FormatTable({{"dgd", runs}});
+  EXPECT_EQ(CellsOf(table, "deepest penetration, true (cm)"), "6.000");
+  EXPECT_EQ(CellsOf(table, "the deepest in the last second (cm)"), "4.000");
+  EXPECT_EQ(CellsOf(table, "fallbacks to GJK/EPA"), "2");
+  EXPECT_EQ(CellsOf(table, "bodies lost"), "1");
+  EXPECT_EQ(CellsOf(FormatTable({{"dgd", {ExampleSummary(1), ExampleSummary(2)}}}), "deepest penetration, true (cm)"),
+            "4.500");
+}
+
 TEST(ComparisonTableTest, Csv_HasTheSameFiguresInSi) {
   const TestFolder folder;
-  WriteTableCsv(folder.path() / "summary.csv", {{"builtin", ExampleSummary(1)}, {"dgd", ExampleSummary(0.5)}});
+  WriteTableCsv(folder.path() / "summary.csv", {{"builtin", {ExampleSummary(1)}}, {"dgd", {ExampleSummary(0.5)}}});
   const std::string csv = ReadFile(folder.path() / "summary.csv");
   EXPECT_EQ(csv.substr(0, csv.find('\n')), "figure,builtin,dgd");
   EXPECT_NE(csv.find("\ndeepest_true_penetration_m,0.029999999999999999,0.014999999999999999\n"), std::string::npos)

@@ -1,0 +1,54 @@
+#include "scene_options.h"
+
+#include <sstream>
+#include <system_error>
+#include <vector>
+
+#include "scene/scene_error.h"
+#include "scene/scene_file.h"
+
+namespace dgd_demos {
+namespace {
+
+constexpr int kMaxOracleEvery = 1'000'000;
+
+}  // namespace
+
+std::filesystem::path FindData(const std::filesystem::path& name) {
+  std::error_code ignored;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  for (const std::filesystem::path& folder :
+       {std::filesystem::path(), program.parent_path() / ".." / DGD_DEMOS_INSTALLED_DATA,
+        std::filesystem::path(DGD_DEMOS_SOURCE_DIR)}) {
+    if (std::filesystem::exists(folder / name, ignored)) return (folder / name).lexically_normal();
+  }
+  return name;
+}
+
+void AddDurationOption(CLI::App& app, std::optional<double>& duration) {
+  app.add_option("--duration", duration, "Simulated time in s, in place of the scene's")->type_name("S");
+}
+
+void AddOracleEveryOption(CLI::App& app, int& oracle_every) {
+  app.add_option("--oracle-every", oracle_every, "Steps from one computation of the true penetration to the next")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMaxOracleEvery).description(""))
+      ->capture_default_str();
+}
+
+Scene LoadSceneFor(const std::filesystem::path& file, const std::optional<double>& duration) {
+  Scene scene = LoadScene(file);
+  if (!duration) return scene;
+  const bool in_range = *duration >= scene.time_step && *duration <= kMaxDuration;  // False for NaN.
+  if (!in_range) {
+    std::ostringstream complaint;
+    complaint << "--duration: must be from one time step (" << scene.time_step << ") up to " << kMaxDuration
+              << " s, not " << *duration;
+    throw SceneError(complaint.str());
+  }
+  scene.duration = *duration;
+  std::erase_if(scene.snapshots, [&](double time) { return time > scene.duration; });
+  return scene;
+}
+
+}  // namespace dgd_demos

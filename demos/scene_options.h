@@ -1,0 +1,28 @@
+// What the programs that simulate scenes have in common on their command lines: where the scenes are, how long they
+// run.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "scene/scene.h"
+
+namespace dgd_demos {
+
+/// A file of this project, such as "scenes/arch.json": here, beside an installed program, or in the source tree that
+/// the program was built from; `name` itself if it is nowhere, so that its absence is reported like any other file's.
+std::filesystem::path FindData(const std::filesystem::path& name);
+
+/// Adds --duration.
+void AddDurationOption(CLI::App& app, std::optional<double>& duration);
+
+/// Adds --oracle-every.
+void AddOracleEveryOption(CLI::App& app, int& oracle_every);
+
+/// The scene of the file, with the duration asked for, if any, in place of its own.
+/// @throws SceneError about the file, or about a duration that it cannot have.
+Scene LoadSceneFor(const std::filesystem::path& file, const std::optional<double>& duration);
+
+}  // namespace dgd_demos

@@ -1,0 +1,47 @@
+// The sums and extremes of a run as it goes.
+#pragma once
+
+#include <vector>
+
+#include "scene/bodies.h"
+#include "scene/pose.h"
+#include "scene/scene.h"
+#include "simulation/run_summary.h"
+#include "simulation/step_record.h"
+
+namespace dgd_demos {
+
+class Tally {
+ public:
+  /// @param bodies   must outlive the tally.
+  /// @param initial  energy before the first step.
+  Tally(const Scene& scene, const std::vector<Body>& bodies, const Energy& initial);
+
+  /// @param speeds  of all bodies after the step, in their order, m/s.
+  void Add(const StepRecord& step, const std::vector<double>& speeds);
+
+  int steps() const { return sums_.steps; }
+
+  /// @param end_poses  of all bodies, in their order.
+  /// @param wall_time  s
+  RunSummary Summary(const std::vector<Pose>& end_poses, double wall_time) const;
+
+ private:
+  void AddEnergy(const StepRecord& step);
+  void AddTruePenetration(const StepRecord& step);
+  void AddSpeeds(const StepRecord& step, const std::vector<double>& speeds);
+  void MeasureDisplacement(const std::vector<Pose>& end_poses, RunSummary& summary) const;
+
+  const std::vector<Body>& bodies_;
+  double duration_, time_step_;  // s
+  double initial_energy_;        // J
+  RunSummary sums_;
+  Energy energy_;        // At the end of the last step.
+  double least_energy_;  // J, kinetic and potential, so far.
+  double sum_of_true_ = 0;
+  int oracle_steps_ = 0;
+  double sum_of_squared_speeds_ = 0;  // Over the last half.
+  int speeds_ = 0;
+};
+
+}  // namespace dgd_demos
