@@ -17,15 +17,15 @@ constexpr int kPlacementAttempts = 10'000;
 
 Body MakeBody(std::string name, Shape shape, double margin, const BodyProperties& properties, const Pose& pose,
               const Motion& motion = {}) {
-  return {std::move(name),     std::move(shape),       margin, properties.mass, properties.inertia,
-          properties.friction, properties.restitution, pose,   motion};
+  return {std::move(name),        std::move(shape),   margin, properties.mass, properties.inertia, properties.friction,
+          properties.restitution, properties.damping, pose,   motion};
 }
 
 Body GroundBody(const Scene& scene) {
   const Ground& ground = scene.ground;
   Pose pose;
   pose.position.z() = -ground.half_extents.z();
-  return {"/ground", Box{ground.half_extents}, scene.margin, 0, std::nullopt, ground.friction, 0, pose, {}};
+  return {"/ground", Box{ground.half_extents}, scene.margin, 0, std::nullopt, ground.friction, 0, 0, pose, {}};
 }
 
 // Centres and radii of balls around the bodies placed so far.

@@ -21,8 +21,9 @@ struct Body {
   std::optional<Eigen::Vector3d> inertia;  ///< About the local axes, kg m^2; without it, Bullet's estimate.
   double friction;
   double restitution;
-  Pose pose;      ///< At the start.
-  Motion motion;  ///< At the start.
+  double damping;  ///< Share of linear and angular velocity lost in a second.
+  Pose pose;       ///< At the start.
+  Motion motion;   ///< At the start.
 };
 
 /// The static ground is always the first body.

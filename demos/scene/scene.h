@@ -23,6 +23,7 @@ struct BodyProperties {
   std::optional<Eigen::Vector3d> inertia;  ///< About the local axes, kg m^2; without it, Bullet's estimate.
   double friction;
   double restitution;
+  double damping = 0;  ///< Share of linear and angular velocity that is lost in a second, as by air and by rolling.
 };
 
 /// Random hulls, different for each seed, at random orientations and without touching each other at the start.
@@ -52,6 +53,14 @@ using BodyGroup = std::variant<RandomPolytopes, SingleBody>;
 
 inline constexpr double kMaxDuration = 3600;  ///< s; a slip if it is longer.
 
+/// Of Bullet's contact solver; as Bullet has them, unless the file says otherwise.
+struct SolverSettings {
+  int iterations = 10;  ///< In each step.
+  /// 1: along the sliding velocity, and any while nothing slides. That lets a body creep which friction alone should
+  /// hold. 2: across each other.
+  int friction_directions = 1;
+};
+
 struct Scene {
   std::string file;         ///< As given by the user.
   std::string about;        ///< What the scene is, with its units and frame.
@@ -61,6 +70,7 @@ struct Scene {
   double margin;            ///< Collision margin of every body and of the ground, m.
   Ground ground;
   bool sleeping = true;  ///< Whether Bullet may put bodies that hardly move to sleep, which ends their jitter.
+  SolverSettings solver;
   std::vector<BodyGroup> bodies;
   std::vector<double> snapshots;  ///< Times of the pictures, s, ascending.
 };

@@ -26,6 +26,7 @@ constexpr Range kMassOrStatic = {0, 1e6};                       // kg
 constexpr Range kInertia = {0, 1e9, /*low_is_allowed=*/false};  // kg m^2
 constexpr Range kFriction = {0, 10};
 constexpr Range kRestitution = {0, 1};
+constexpr Range kDamping = {0, 1};                               // Of 1, in a second.
 constexpr Range kAcceleration = {-1e3, 1e3};                     // m/s^2
 constexpr Range kVelocity = {-1e3, 1e3};                         // m/s
 constexpr Range kAngularVelocity = {-1e3, 1e3};                  // rad/s
@@ -33,6 +34,7 @@ constexpr Range kTimeStep = {0, 0.1, /*low_is_allowed=*/false};  // s
 constexpr Range kMargin = {0, 1};                                // m
 constexpr Range kScale = {0, 1e6, /*low_is_allowed=*/false};
 constexpr int kMaxCount = 10'000;
+constexpr int kMaxSolverIterations = 10'000;
 
 // Bullet's own, where the file says nothing.
 constexpr double kDefaultFriction = 0.5;
@@ -47,6 +49,16 @@ Ground ReadGround(const JsonReader& ground) {
   return {ground.At("half_extents").Vector(kSize), NumberOr(ground, "friction", kFriction, kDefaultFriction)};
 }
 
+SolverSettings ReadSolver(const JsonReader& solver) {
+  solver.AllowOnly({"iterations", "friction_directions"});
+  SolverSettings settings;
+  if (solver.Has("iterations")) settings.iterations = solver.At("iterations").Integer(1, kMaxSolverIterations);
+  if (solver.Has("friction_directions")) {
+    settings.friction_directions = solver.At("friction_directions").Integer(1, 2);
+  }
+  return settings;
+}
+
 // One number for all three axes, or three numbers.
 std::optional<Vector3d> ReadInertia(const JsonReader& body) {
   if (!body.Has("inertia")) return std::nullopt;
@@ -57,7 +69,7 @@ std::optional<Vector3d> ReadInertia(const JsonReader& body) {
 
 BodyProperties ReadProperties(const JsonReader& body, const Range& mass) {
   return {body.At("mass").Number(mass), ReadInertia(body), NumberOr(body, "friction", kFriction, kDefaultFriction),
-          NumberOr(body, "restitution", kRestitution, kDefaultRestitution)};
+          NumberOr(body, "restitution", kRestitution, kDefaultRestitution), NumberOr(body, "damping", kDamping, 0)};
 }
 
 // "rotation": roll, pitch and yaw; about the fixed x, then y, then z axis.
@@ -98,7 +110,8 @@ Shape ReadMesh(const JsonReader& body, const std::filesystem::path& folder) {
 }
 
 RandomPolytopes ReadRandomPolytopes(const JsonReader& group) {
-  group.AllowOnly({"type", "mass", "inertia", "friction", "restitution", "count", "vertices", "diameter", "region"});
+  group.AllowOnly(
+      {"type", "mass", "inertia", "friction", "restitution", "damping", "count", "vertices", "diameter", "region"});
   RandomPolytopes polytopes;
   polytopes.properties = ReadProperties(group, kMass);
   polytopes.count = group.At("count").Integer(1, kMaxCount);
@@ -122,7 +135,7 @@ RandomPolytopes ReadRandomPolytopes(const JsonReader& group) {
 // The shapes that a file can name, each with its own keys.
 SingleBody ReadSingleBody(const JsonReader& body, const std::string& type, const std::filesystem::path& folder) {
   const auto allow = [&](auto... own_keys) {
-    body.AllowOnly({"type", "mass", "inertia", "friction", "restitution", "position", "rotation", "velocity",
+    body.AllowOnly({"type", "mass", "inertia", "friction", "restitution", "damping", "position", "rotation", "velocity",
                     "angular_velocity", own_keys...});
   };
   const auto size = [&](const char* key) { return body.At(key).Number(kSize); };
@@ -181,7 +194,8 @@ Scene LoadScene(const std::filesystem::path& file) {
   Scene scene;
   scene.file = file.string();
   const JsonReader root(scene.file, document);
-  root.AllowOnly({"about", "gravity", "time_step", "duration", "margin", "ground", "sleeping", "bodies", "snapshots"});
+  root.AllowOnly(
+      {"about", "gravity", "time_step", "duration", "margin", "ground", "sleeping", "solver", "bodies", "snapshots"});
 
   scene.about = root.At("about").Text();
   scene.gravity = root.At("gravity").Vector(kAcceleration);
@@ -189,6 +203,7 @@ Scene LoadScene(const std::filesystem::path& file) {
   scene.duration = root.At("duration").Number({scene.time_step, kMaxDuration});
   scene.margin = root.At("margin").Number(kMargin);
   scene.ground = ReadGround(root.At("ground"));
+  if (root.Has("solver")) scene.solver = ReadSolver(root.At("solver"));
   if (root.Has("sleeping")) scene.sleeping = root.At("sleeping").Boolean();
 
   const JsonReader bodies = root.At("bodies");

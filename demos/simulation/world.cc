@@ -49,6 +49,8 @@ World::World(const Scene& scene, const std::vector<Body>& bodies, Narrowphase na
       gravity_(scene.gravity),
       time_step_(scene.time_step) {
   world_.setGravity(ToBullet(gravity_));
+  world_.getSolverInfo().m_numIterations = scene.solver.iterations;
+  if (scene.solver.friction_directions == 2) world_.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
   for (std::size_t i = 0; i < bodies.size(); ++i) AddBody(bodies[i], static_cast<int>(i));
 
   // The column above the ground, down to the middle of the ground: below that, a body has gone through.
@@ -66,6 +68,7 @@ void World::AddBody(const Body& body, int index) {
   info.m_startWorldTransform = ToBullet(body.pose);
   info.m_friction = ToBullet(body.friction);
   info.m_restitution = ToBullet(body.restitution);
+  info.m_linearDamping = info.m_angularDamping = ToBullet(body.damping);
   rigid_bodies_.push_back(std::make_unique<btRigidBody>(info));
   rigid_bodies_.back()->setUserIndex(index);
   rigid_bodies_.back()->setLinearVelocity(ToBullet(body.motion.velocity));

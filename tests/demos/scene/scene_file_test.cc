@@ -56,13 +56,21 @@ TEST(SceneFileTest, WhatIsOptional_IsReadAsWritten) {
   const TestFolder folder;
   const Scene still = LoadScene(folder.Write("still.json", ValidSceneText()));
   EXPECT_TRUE(still.sleeping);
+  EXPECT_EQ(still.solver.iterations, 10);
+  EXPECT_EQ(still.solver.friction_directions, 1);
   EXPECT_TRUE(std::get<SingleBody>(still.bodies[0]).motion.velocity.isZero(0));
   EXPECT_TRUE(std::get<SingleBody>(still.bodies[0]).motion.angular_velocity.isZero(0));
 
-  std::string text = Replaced(ValidSceneText(), R"("bodies")", R"("sleeping": false, "bodies")");
-  text = Replaced(text, R"("mass": 2)", R"("mass": 2, "velocity": [1, 2, -3], "angular_velocity": [0, 0, 4])");
+  std::string text =
+      Replaced(ValidSceneText(), R"("bodies")",
+               R"("sleeping": false, "solver": { "iterations": 50, "friction_directions": 2 }, "bodies")");
+  text = Replaced(text, R"("mass": 2)",
+                  R"("mass": 2, "damping": 0.3, "velocity": [1, 2, -3], "angular_velocity": [0, 0, 4])");
   const Scene scene = LoadScene(folder.Write("scene.json", text));
   EXPECT_FALSE(scene.sleeping);
+  EXPECT_EQ(scene.solver.iterations, 50);
+  EXPECT_EQ(scene.solver.friction_directions, 2);
+  EXPECT_EQ(std::get<SingleBody>(scene.bodies[0]).properties.damping, 0.3);
   EXPECT_EQ(std::get<SingleBody>(scene.bodies[0]).motion.velocity, Eigen::Vector3d(1, 2, -3));
   EXPECT_EQ(std::get<SingleBody>(scene.bodies[0]).motion.angular_velocity, Eigen::Vector3d(0, 0, 4));
 
@@ -144,7 +152,20 @@ const Slip kSlips[] = {
      R"("mass": 2)",
      R"("mass": 2, "angular_velocity": [0, 0, -1e4])",
      {": /bodies/0/angular_velocity/2: ", "-10000"}},
+    {"NoSolverIterations",
+     R"("bodies")",
+     R"("solver": { "iterations": 0 }, "bodies")",
+     {": /solver/iterations: must be from 1 up to 10000, not 0"}},
+    {"ThreeFrictionDirections",
+     R"("bodies")",
+     R"("solver": { "friction_directions": 3 }, "bodies")",
+     {": /solver/friction_directions: must be from 1 up to 2, not 3"}},
+    {"UnknownKeyInSolver",
+     R"("bodies")",
+     R"("solver": { "erp": 1 }, "bodies")",
+     {": /solver/erp: ", "not a known key"}},
     {"NumberForTruth", R"("bodies")", R"("sleeping": 0, "bodies")", {": /sleeping: must be true or false, not 0"}},
+    {"HugeDamping", R"("mass": 2)", R"("mass": 2, "damping": 2)", {": /bodies/0/damping: must be from 0 up to 1", "2"}},
     {"NegativeInertia", R"("mass": 2)", R"("mass": 2, "inertia": [1, 1, -1])", {": /bodies/0/inertia/2: ", "-1"}},
     {"DegreesForRadians", "0, 0.5]", "0, 90]", {": /bodies/0/rotation/2: ", "90"}},
     {"UnknownType", R"("box")", R"("teapot")", {": /bodies/0/type: ", "\"teapot\""}},
