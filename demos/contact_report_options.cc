@@ -18,7 +18,7 @@ their figures side by side, a table a scene.)";
 
 constexpr const char* kFooter = R"(
 Examples:
-  contact_report                                      all scenes; several minutes
+  contact_report                                      all scenes; about a minute
   contact_report --scenes tower_20,arch               two of them
   contact_report --scenes polytopes_50 --seeds 20     the median of twenty heaps
   contact_report --scenes my.json --duration 5        a scene of your own (format: scenes/README.md)
@@ -39,7 +39,8 @@ Figures, over the run of a scene:
                                 bounding boxes that is not asleep
 
 Scenes that are to stand run for 60 s with sleeping disabled ("sleeping" in the file), for sleeping would hide jitter
-and drift. Scenes with random bodies run once for each seed; the table has the median of each figure, and the sum of
+and drift; where Bullet's contact solver by itself would let them creep away, the file gives it more iterations
+and a second friction direction ("solver"). Scenes with random bodies run once for each seed; the table has the median of each figure, and the sum of
 lost bodies and fallbacks. The oracle looks at every step; --oracle-every N is faster, and may miss the deepest moment
 of an impact.
 

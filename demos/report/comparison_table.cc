@@ -22,6 +22,13 @@ std::string Format(const char* format, double number) {
   return text.data();
 }
 
+// Nothing has a ratio to nothing. A ratio to next to nothing has many digits, which would run into the next column.
+std::string Ratio(double value, double first) {
+  constexpr double kLongest = 1e4;
+  const double ratio = value / first;
+  return Format(std::abs(ratio) < kLongest ? "%.2f" : "%.2g", ratio);
+}
+
 std::string Right(const std::string& text) {
   return std::string(std::max(0, kFigureWidth - static_cast<int>(text.size())), ' ') + text;
 }
@@ -46,7 +53,7 @@ std::string FigureLine(const Figure& figure, const std::vector<TableColumn>& col
   for (std::size_t c = 0; c < columns.size(); ++c) {
     const double value = FigureOf(figure, columns[c].runs);
     line += Right(Format(figure.format, value / figure.unit));
-    if (c > 0) line += Right(Format("%.2f", value / first));  // Nothing has a ratio to nothing.
+    if (c > 0) line += Right(Ratio(value, first));
   }
   return line + '\n';
 }
