@@ -40,9 +40,13 @@ Figures, over the run of a scene:
 
 Scenes that are to stand run for 60 s with sleeping disabled ("sleeping" in the file), for sleeping would hide jitter
 and drift; where Bullet's contact solver by itself would let them creep away, the file gives it more iterations
-and a second friction direction ("solver"). Scenes with random bodies run once for each seed; the table has the median of each figure, and the sum of
-lost bodies and fallbacks. The oracle looks at every step; --oracle-every N is faster, and may miss the deepest moment
-of an impact.
+and a second friction direction ("solver"). Scenes with random bodies run once for each seed; the table has the
+median of each figure, and the sum of lost bodies and fallbacks. The oracle looks at every step; --oracle-every N is
+faster, and may miss the deepest moment of an impact.
+
+Narrowphases: builtin is Bullet's; dgd the plugin with its default options; dgd_growth has the growth distance's own
+normals in place of those of least translation; dgd_sharp leaves out the margins, which the oracle, judging the
+scene's shapes with them, counts as penetration.
 
 FILE gets a row a run as soon as it is done, in SI units: interrupt at any time.
 
@@ -66,11 +70,8 @@ std::filesystem::path SceneFile(const std::string& name) {
 
 std::variant<ContactReportOptions, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
   std::map<std::string, Narrowphase> choices;
-  std::vector<std::string> narrowphases;
-  for (const Narrowphase narrowphase : AllNarrowphases()) {
-    narrowphases.emplace_back(NameOf(narrowphase));
-    choices[narrowphases.back()] = narrowphase;
-  }
+  for (const Narrowphase narrowphase : AllNarrowphases()) choices[std::string(NameOf(narrowphase))] = narrowphase;
+  std::vector<std::string> narrowphases = {"builtin", "dgd"};
   ContactReportOptions options;
   options.out = std::string("out/contacts_") + BulletPrecision() + ".csv";
   std::vector<std::string> scenes = kDefaultScenes;

@@ -39,7 +39,7 @@ bool IsDrawable(const Snapshot& state) {
 }
 
 std::string TitleOf(Narrowphase narrowphase) {
-  return narrowphase == Narrowphase::kDgd ? "Bullet on the growth distance" : "Bullet on its own GJK/EPA";
+  return narrowphase == Narrowphase::kBuiltin ? "Bullet on its own GJK/EPA" : "Bullet on the growth distance";
 }
 
 class PictureWriter {

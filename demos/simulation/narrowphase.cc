@@ -15,9 +15,23 @@ struct Variant {
   std::optional<dgd_bullet::Options> options;  // None: Bullet's own.
 };
 
+constexpr dgd_bullet::Options kWithGrowthNormals = [] {
+  dgd_bullet::Options options;
+  options.normal_mode = dgd_bullet::NormalMode::kGrowth;
+  return options;
+}();
+
+constexpr dgd_bullet::Options kSharp = [] {
+  dgd_bullet::Options options;
+  options.geometry_mode = dgd_bullet::GeometryMode::kSharp;
+  return options;
+}();
+
 constexpr std::array kVariants = {
     Variant{Narrowphase::kBuiltin, "builtin", std::nullopt},
     Variant{Narrowphase::kDgd, "dgd", dgd_bullet::Options{}},
+    Variant{Narrowphase::kDgdGrowth, "dgd_growth", kWithGrowthNormals},
+    Variant{Narrowphase::kDgdSharp, "dgd_sharp", kSharp},
 };
 
 const Variant& VariantOf(Narrowphase narrowphase) {

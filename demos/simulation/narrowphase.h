@@ -12,8 +12,10 @@ namespace dgd_demos {
 
 /// Each has its row in narrowphase.cc: name, and options of the plugin. A new variant is an enumerator and such a row.
 enum class Narrowphase {
-  kBuiltin,  ///< Bullet's GJK/EPA and its special pairs.
-  kDgd,      ///< The growth distance, by the plugin.
+  kBuiltin,    ///< Bullet's GJK/EPA and its special pairs.
+  kDgd,        ///< The plugin with its default options.
+  kDgdGrowth,  ///< ... with the growth distance's own normals.
+  kDgdSharp,   ///< ... without margins.
 };
 
 /// All of them, in the order in which they are listed and compared.

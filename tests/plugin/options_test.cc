@@ -86,7 +86,9 @@ TEST(NormalMode, OverlappingHulls_LeastTranslationIsNeverDeeperThanGrowthOrBulle
     EXPECT_NEAR(of_other.depth, along(of_other), kLength);
     EXPECT_GE(along(of_patch), along(of_other) - kLength);
     gained = std::max(gained, along(of_patch) - along(of_other));
-    if (!by_bullet.empty()) EXPECT_GE(along(of_patch), along(Deepest(by_bullet)) - kLength);
+    if (!by_bullet.empty()) {
+      EXPECT_GE(along(of_patch), along(Deepest(by_bullet)) - kLength);
+    }
     EXPECT_EQ(least.statistics().Fallbacks() + growth.statistics().Fallbacks(), 0U);
   }
   // Else the modes are the same.
@@ -101,8 +103,10 @@ TEST(NormalMode, BodiesApart_LeastTranslationTellsTheirDistance) {
   const Vector corner = Vector::Constant(0.5 - margin);
   const Vector direction = Vector(1, 2, 5).normalized();
   const Vector center = corner + (margin + 0.1 + 0.015) * direction;
-  const Contact contact = DeepestOf(With(dgd_bullet::NormalMode::kLeastTranslation), sphere, box,
-                                    MakeTransform(Eigen::Matrix3d::Identity(), center), btTransform::getIdentity());
+  dgd_bullet::Options options = With(dgd_bullet::NormalMode::kLeastTranslation);
+  options.contact_distance = 0.1;
+  const Contact contact = DeepestOf(options, sphere, box, MakeTransform(Eigen::Matrix3d::Identity(), center),
+                                    btTransform::getIdentity());
   EXPECT_NEAR(contact.depth, 0.015, kLength);
   EXPECT_NEAR((contact.normal_b_to_a - direction).norm(), 0, 1e-4);
 }
