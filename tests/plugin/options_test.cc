@@ -105,8 +105,8 @@ TEST(NormalMode, BodiesApart_LeastTranslationTellsTheirDistance) {
   const Vector center = corner + (margin + 0.1 + 0.015) * direction;
   dgd_bullet::Options options = With(dgd_bullet::NormalMode::kLeastTranslation);
   options.contact_distance = 0.1;
-  const Contact contact = DeepestOf(options, sphere, box, MakeTransform(Eigen::Matrix3d::Identity(), center),
-                                    btTransform::getIdentity());
+  const Contact contact =
+      DeepestOf(options, sphere, box, MakeTransform(Eigen::Matrix3d::Identity(), center), btTransform::getIdentity());
   EXPECT_NEAR(contact.depth, 0.015, kLength);
   EXPECT_NEAR((contact.normal_b_to_a - direction).norm(), 0, 1e-4);
 }
