@@ -62,11 +62,15 @@ template <class S, int L>
 dgd::SignedDistanceResult<S> AnyPair<S, L>::SignedDistance(const dgd::Result<S>& growth,
                                                            const dgd::WarmStart<S>* warm_start,
                                                            const dgd::Settings<S>& settings) const requires(L == 3) {
-  return std::visit(
-      [&](const auto& a, const auto& b) {
-        return dgd::SignedDistance(a, pose_1_, b, pose_2_, growth, warm_start, settings);
-      },
-      set_1_, set_2_);
+  if constexpr (L == 3) {  // Clang 14 instantiates this in the plane all the same.
+    return std::visit(
+        [&](const auto& a, const auto& b) {
+          return dgd::SignedDistance(a, pose_1_, b, pose_2_, growth, warm_start, settings);
+        },
+        set_1_, set_2_);
+  } else {
+    return {};
+  }
 }
 
 template <class S, int L>
