@@ -26,8 +26,8 @@ struct Options {
   /// Iterations of the solver before the pair is handed to Bullet's own GJK/EPA (counted as a fallback); >= 1.
   int max_iterations = 100;
 
-  /// Hand over all points of the touching features in one step (at most four), and drop cached points which that patch
-  /// no longer has. Off: one point a step, and Bullet's own accumulation over several steps.
+  /// Hand over all points of the touching features in one step (at most patch_size), and drop cached points which that
+  /// patch no longer has. Off: one point a step, and Bullet's own accumulation over several steps.
   bool contact_patch = true;
 
   /// Points of a patch at most, 1 to 4: the deepest, then those that span most area. Fewer cost less in Bullet's
@@ -43,13 +43,17 @@ struct Options {
   /// solver keeps open until they close; points in manifolds that are not the pair's own never exceed its threshold.
   double contact_distance = 0;
 
+  /// The default is by measurement (demos/contact_report, fifty polytopes, median of 5 seeds): at rest after 4.5 s,
+  /// with the growth distance's normals after 5.5 s, with Bullet's narrowphase after 5.2 s. It costs a third more time.
   NormalMode normal_mode = NormalMode::kLeastTranslation;
+
+  /// Bounding boxes stay Bullet's, margins included, in either mode.
   GeometryMode geometry_mode = GeometryMode::kBullet;
 
-  /// In a dynamics world, also hand over points that are still farther apart than Bullet's contact breaking threshold
-  /// if the bodies' velocities make them touch within the time step: fast impacts are then met, not found when the
-  /// bodies already overlap. Needs contact_patch. Bodies that rebound (combined restitution above 0) are not met early,
-  /// so that they rebound as high as with Bullet; contactTest() and its like never see such points.
+  /// In a dynamics world, also hand over points that are still farther apart than the contact distance if the bodies'
+  /// velocities make them touch within the time step: fast impacts are then met, not found when the bodies already
+  /// overlap. Needs contact_patch. Bodies that rebound (combined restitution above 0) are not met early, so that they
+  /// rebound as high as with Bullet; contactTest() and its like never see such points.
   bool speculative_contacts = true;
 };
 

@@ -2,8 +2,8 @@
 //
 // Seen along the normal, both supporting faces are convex polygons, segments or points, and their heights are affine.
 // The patch is the overlap of the two; over each of its corners the distance of the two surfaces is exact, so no point
-// claims more overlap than there is. It needs no angular threshold: where faces are tilted against each other, the far
-// corners are simply apart by more than the contact distance and fall away.
+// claims more overlap than there is. An angular tolerance hardly matters: where faces are tilted against each other,
+// the far corners are simply apart by more than the contact distance and fall away.
 #pragma once
 
 #include <algorithm>

@@ -71,7 +71,7 @@ class NearestSimplex {
       Reduce();
       return;
     }
-    std::size_t least_needed = 0;
+    std::size_t replaced = 0;
     S least = std::numeric_limits<S>::infinity();
     for (std::size_t left_out = 0; left_out < 3; ++left_out) {
       std::array<const Vector3<S>*, 3> corners{&points_[0].point, &points_[1].point, &points_[2].point};
@@ -81,9 +81,9 @@ class NearestSimplex {
           (weights[0] * *corners[0] + weights[1] * *corners[1] + weights[2] * *corners[2]).squaredNorm();
       if (!(distance_sq < least)) continue;
       least = distance_sq;
-      least_needed = left_out;
+      replaced = left_out;
     }
-    points_[least_needed] = added;
+    points_[replaced] = added;
     Reduce();
   }
 
