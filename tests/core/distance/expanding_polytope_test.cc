@@ -53,6 +53,15 @@ TEST(ExpandingPolytope, PointInLineWithAnEdge_LeavesNoGap) {
   EXPECT_FALSE(polytope.Add(At({1, 1.9, 1.9})));
 }
 
+// A needle's faces know no plane, but where they are.
+TEST(ExpandingPolytope, OnlySlivers_StillHaveANearestPoint) {
+  const dgd::ExpandingPolytope<double> needle({At({0, 0, -1}), At({0, 0, 1}), At({1e-12, 0, 0}), At({0, 1e-12, 0})},
+                                              kRounding, 1);
+  EXPECT_TRUE(needle.IsSliver(needle.Nearest()));
+  EXPECT_EQ(needle.Inradius(), 0);
+  EXPECT_NEAR((needle.NearestTo({0, 0, 2}).point - Point(0, 0, 1)).norm(), 0, 1e-11);
+}
+
 // Against the supporting planes of all points: the nearest face's plane is one of the hull's.
 TEST(ExpandingPolytope, GrownWhereItIsNearest_TellsTheHullsInradius) {
   Random random(5);

@@ -12,7 +12,6 @@
 
 #include "dgd/distance/nearest_simplex.h"
 #include "dgd/ray/minkowski_difference.h"
-#include "dgd/ray/tolerances.h"
 #include "dgd/types.h"
 
 namespace dgd {
@@ -25,7 +24,7 @@ class ExpandingPolytope {
   using Feature = DifferencePoint<S, 3>;
 
   struct Face {
-    Vector3<S> normal;                    ///< Outward, unit length.
+    Vector3<S> normal;                    ///< Outward, unit length; zero for a sliver.
     S distance;                           ///< Of its plane to the origin, metres; infinite for a sliver.
     S slack;                              ///< By how much rounding may tilt it at the set's other end, metres.
     std::array<std::uint8_t, 3> corners;  ///< Counterclockwise seen from outside.
@@ -47,6 +46,7 @@ class ExpandingPolytope {
 
   /// Whether the face has no plane, being too narrow.
   static bool IsSliver(const Face& face) { return !(face.distance < std::numeric_limits<S>::infinity()); }
+
   /// Radius of a ball about the origin that the surface is outside of; negative if the origin is, by rounding. A foot
   /// on a sliver is not farther than the sliver's width from a face that has a plane.
   S Inradius() const {
@@ -56,17 +56,20 @@ class ExpandingPolytope {
     return distance > widest_sliver_ ? std::sqrt((distance - widest_sliver_) * (distance + widest_sliver_))
                                      : std::min(distance, S(0));
   }
+
   /// A face whose plane is nearest to the origin.
   const Face& Nearest() const {
     return *std::min_element(faces_.begin(), End(),
                              [](const Face& a, const Face& b) { return a.distance < b.distance; });
   }
+
   /// The point of the surface that is nearest to a point on or outside of it.
   Feature NearestTo(const Vector3<S>& target) const {
-    Feature nearest;
+    Feature nearest = points_[0];
     S least = std::numeric_limits<S>::infinity();
     std::for_each(faces_.begin(), End(), [&](const Face& face) {
-      if (!(face.normal.dot(target) - face.distance > -rounding_)) return;
+      const bool is_turned_away = !IsSliver(face) && face.normal.dot(target) - face.distance < -rounding_;
+      if (is_turned_away) return;
       std::array<Feature, 3> corners{points_[face.corners[0]], points_[face.corners[1]], points_[face.corners[2]]};
       for (Feature& corner : corners) corner.point -= target;
       const NearestSimplex<S> triangle(corners, 3);
