@@ -1,5 +1,6 @@
 #include "soak/examine.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <ostream>
@@ -111,7 +112,8 @@ class Examination {
       Demand("relative gap", certificate.relative_gap, limits.gap);
       CheckGrowthDistance(result, limits);
     }
-    tally_.primal_infeasibility.Take(certificate.primal_infeasibility / limits.size, case_.index);
+    const double beyond_last_digit = std::max(0.0, certificate.primal_infeasibility - limits.carried);
+    tally_.primal_infeasibility.Take(beyond_last_digit / limits.size, case_.index);
     tally_.dual_infeasibility.Take(certificate.dual_infeasibility, case_.index);
     tally_.separation_error.Take(certificate.separation_error / limits.size, case_.index);
     Demand("primal infeasibility in m", certificate.primal_infeasibility, limits.primal);

@@ -21,6 +21,7 @@ struct Limits {
   static constexpr double kFloatInfeasibilityUnits = 64;
 
   double size;          ///< Of the pair: its sets' extent and the distance of the centres, metres.
+  double carried;       ///< What the growth distance makes of the last digit of a witness point in the world, metres.
   double gap;           ///< Of the certificate of an optimal result.
   double primal;        ///< Metres.
   double dual;          ///< 1 more where the centres are too near for their rounding to tell a normal's sign.
@@ -43,12 +44,12 @@ struct Limits {
     size = extent + distance;
     // The certificate's lower bound is along / support: each carries the rounding of its own terms.
     gap = 1.001 * tolerance + kUnits * kEpsilon * (1 + reach / std::abs(along) + extent / support);
-    // The growth distance magnifies the rounding of the witness points' world coordinates.
-    const double rounding = kEpsilon * (reach + growth_distance * reach);
+    // Both points, in each coordinate.
+    carried = 2 * kEpsilon * growth_distance * reach;
     if constexpr (sizeof(S) == 8) {
-      primal = (is_curved ? 1e-10 : 1e-12) * size + kUnits * rounding;
+      primal = (is_curved ? 1e-10 : 1e-12) * size + carried;
     } else {
-      primal = kFloatInfeasibilityUnits * rounding;
+      primal = kFloatInfeasibilityUnits * kEpsilon * (1 + growth_distance) * reach;
     }
     dual = kUnits * kEpsilon + (std::abs(along) <= kUnits * kEpsilon * reach ? 1 : 0);
     separation = kSeparationUnits * kEpsilon * (reach + distance);

@@ -33,9 +33,10 @@ Modes:    cold: each pair alone. warm: set 2 moves by 1 % in five frames, each f
           warm start. yesno: the collision check must not contradict the growth distance.
 Bounds:   on the way the lower one never falls and the upper one never rises, but for rounding.
 Limits:   in double a relative gap of the tolerance, primal infeasibility of 1e-12 of the pair's size,
-          1e-10 with a curved core; in float some units of rounding; see tests/soak/limits.h.
+          1e-10 with a curved core, beyond what the growth distance makes of the last digit of a
+          witness point in the world; in float some units of rounding; see tests/soak/limits.h.
 Table:    iterations are support function evaluations, per query; figures are the worst of all;
-          infeasibility and separation error are relative to the pair's size.
+          infeasibility, beyond that last digit, and separation error are relative to the pair's size.
 
 Exit status: 0 all went well; 1 a case failed; 2 wrong command line or state file, or the output cannot
 be written; 3 ended early, by Ctrl-C or SIGTERM.)";

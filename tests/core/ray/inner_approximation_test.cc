@@ -170,5 +170,22 @@ TEST(InnerApproximation, Insert_FacetOfANeedleAboveTheCeilingByRounding_IsTaken)
   EXPECT_EQ(inner.Height(), ceiling);
 }
 
+// A needle, from a soak run: the ray misses the edge of the basis by rounding, and by more than that of the next point,
+// which is nearer than those before. The query stalled here.
+TEST(InnerApproximation, Insert_PointAcrossAnEdgeThatCarriesTheRay_TurnsTheFacetAboutIt) {
+  auto inner = InnerApproximation<float>::FromInradius(0.01f, 0.5f);
+  const std::array<DifferencePoint<float>, 3> basis = {FloatPointAt(0.656372011f, -0.4912498f, 4.99823284f),
+                                                       FloatPointAt(0.0100324154f, 0.0189163685f, 5.41956091f),
+                                                       FloatPointAt(-1.48297429f, 1.10990405f, 7.13251734f)};
+  ASSERT_TRUE(inner.AdoptBasis(basis, 3));
+  ASSERT_TRUE(inner.Insert(FloatPointAt(-0.633357763f, 0.474062234f, 6.34299898f), 5.70467567f));
+  const float height = inner.Height();
+  const DifferencePoint<float> across = FloatPointAt(-0.0213195682f, 0.0180679262f, 5.69843388f);
+  ASSERT_GT(inner.Excess(across.point), 1e-3f);
+  ASSERT_TRUE(inner.Insert(across, 5.69639826f));
+  EXPECT_NEAR(inner.Excess(across.point), 0, 1e-6f);
+  EXPECT_EQ(inner.Height(), height);
+}
+
 }  // namespace
 }  // namespace dgd_test

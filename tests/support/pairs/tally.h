@@ -24,7 +24,7 @@ struct Tally {
   std::int64_t queries = 0;                                    ///< Growth distances: first and following frames.
   std::array<std::int64_t, kMostIterations + 1> iterations{};  ///< How many queries took that many.
   Worst relative_gap;                                          ///< Of optimal results, by the certificate.
-  Worst primal_infeasibility;                                  ///< Relative to the pair's size.
+  Worst primal_infeasibility;  ///< Beyond the last digit of the points, relative to the pair's size.
   Worst dual_infeasibility;
   Worst separation_error;          ///< Relative to the pair's size.
   Worst growth_distance_error;     ///< Relative to the known growth distance, or float to double.

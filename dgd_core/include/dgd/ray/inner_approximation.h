@@ -303,23 +303,33 @@ class InnerApproximation {
     for (int dropped = 0; dropped < L; ++dropped) {
       Candidate candidate;
       candidate.kept = {(dropped + 1) % L, (dropped + 2) % L};
-      if (ray_internal::SliverExit<S>(PointOf(candidate.kept[0]), PointOf(candidate.kept[1]), added.point, rounding_,
-                                      error, candidate) &&
-          IsBelowCeiling(candidate, added.point)) {
-        if (weights_[static_cast<std::size_t>(dropped)] <= kWeightSlack<S>) KeepExit(candidate);
+      const bool is_on_edge = weights_[static_cast<std::size_t>(dropped)] <= kWeightSlack<S>;
+      const bool holds_ray = is_on_edge
+                                 ? TurnAboutEdge(added.point, candidate)
+                                 : ray_internal::SliverExit<S>(PointOf(candidate.kept[0]), PointOf(candidate.kept[1]),
+                                                               added.point, rounding_, error, candidate);
+      if (holds_ray && IsBelowCeiling(candidate, added.point)) {
         careful.Take(candidate, IsOutside(candidate, dropped, added));
       }
     }
     if (careful.best.size > 0) choice = careful;
   }
 
-  /// For a ray that leaves through the edge of the kept points: the facet turns about it, the exit stays.
-  void KeepExit(Candidate& candidate) const {
+  /// For a ray that leaves through the edge of the kept points: the facet turns about it to the added point, wherever
+  /// that is, and the exit stays. Whether the ray meets the edge is not asked again: when it was found to, the points
+  /// may have reached farther, and their rounding with them. Test: InnerApproximation.Insert_PointAcross*.
+  bool TurnAboutEdge(const Point& added, Candidate& candidate) const {
+    candidate.normal =
+        ray_internal::SliverNormal<S>(PointOf(candidate.kept[0]), PointOf(candidate.kept[1]), added).cross;
+    if (!ray_internal::PointUpwards<S, L>(candidate.normal)) return false;
     const S weight_0 = weights_[static_cast<std::size_t>(candidate.kept[0])];
     const S weight_1 = weights_[static_cast<std::size_t>(candidate.kept[1])];
     const S sum = weight_0 + weight_1;
     candidate.weights = {weight_0 / sum, weight_1 / sum, 0};
     candidate.height = height_;
+    candidate.size = L;
+    candidate.is_rough = true;
+    return true;
   }
 
   /// Largest coordinate of the basis and the added point, metres.
