@@ -17,8 +17,10 @@ struct Limits {
   static constexpr double kUnits = 16;
   /// An affine map stretches its core's rounding, by up to ten here: 21 units were met in 2e7 queries.
   static constexpr double kSeparationUnits = 64;
-  /// Of float, half of all answers need a fifth of a unit, the worst of 2e4 curved ones 20.
-  static constexpr double kFloatInfeasibilityUnits = 64;
+  /// Of float, half of all answers need a fifth of a unit, the worst of 2e4 curved ones 20, of 6e7 120.
+  static constexpr double kFloatInfeasibilityUnits = 256;
+  /// How far the points of two sets are off together.
+  static constexpr double kPointUnits = 64;
 
   double size;          ///< Of the pair: its sets' extent and the distance of the centres, metres.
   double carried;       ///< What the growth distance makes of the last digit of a witness point in the world, metres.
@@ -39,11 +41,13 @@ struct Limits {
     // Largest world coordinate that a computation meets.
     const double reach =
         std::max(center_1.template lpNorm<Eigen::Infinity>(), center_2.template lpNorm<Eigen::Infinity>()) + extent;
-    const double support = along - double(result.separation);
     const double growth_distance = double(result.upper_bound);
+    // Not less the separation: far apart, that leaves rounding.
+    const double support = std::abs(along) / growth_distance;
     size = extent + distance;
     // The certificate's lower bound is along / support: each carries the rounding of its own terms.
-    gap = 1.001 * tolerance + kUnits * kEpsilon * (1 + reach / std::abs(along) + extent / support);
+    const double gap_units = sizeof(S) == 8 ? kUnits : kPointUnits;
+    gap = 1.001 * tolerance + gap_units * kEpsilon * (1 + reach / std::abs(along) + extent / support);
     // Both points, in each coordinate.
     carried = 2 * kEpsilon * growth_distance * reach;
     if constexpr (sizeof(S) == 8) {
@@ -55,8 +59,8 @@ struct Limits {
     separation = kSeparationUnits * kEpsilon * (reach + distance);
     // A set moved by e is within the one scaled by 1 + e / inradius, and so is the growth distance.
     const double inradii = pair.Inradii();
-    answer = gap + kFloatInfeasibilityUnits * kEpsilon * extent / inradii;
-    answer_floor = kFloatInfeasibilityUnits * kEpsilon * reach / inradii;
+    answer = gap + kPointUnits * kEpsilon * extent / inradii;
+    answer_floor = kPointUnits * kEpsilon * reach / inradii;
   }
 };
 

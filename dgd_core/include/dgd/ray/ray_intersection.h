@@ -96,15 +96,15 @@ class RayIntersection {
       CutAlong(normal);
       if (const Status status = Verdict(question); status != kGoOn) return Report(observer, status);
       if (iterations_ == 1) RememberStart(warm_start);
-      const bool inserted = RaiseInner();
+      RaiseInner();
       // Polytopes end with a supporting plane on the inner approximation; curved cores once a point is near enough.
       if constexpr (Difference::kIsSmooth) {
         if (const Status status = Verdict(question); status != kGoOn) return Report(observer, status);
       }
       Report(observer, kGoOn);
       if (iterations_ >= settings_.max_iterations) return Status::kIterationLimit;
-      // Without progress along its own normal, the inner approximation is as high as rounding lets it be.
-      if (!inserted && normal == inner_.Normal()) {
+      // Along the normal searched last there is nothing new: the inner approximation is as high as rounding lets it be.
+      if (normal == inner_.Normal()) {
         if (!Restart()) return Status::kStalled;
         normal = inner_.Normal();
       } else {
@@ -195,19 +195,16 @@ class RayIntersection {
   }
 
   /// Alg. 2, line 3: with the support point, and then with what it makes of what is known of each set.
-  /// @return whether the support point itself changed the inner approximation.
-  bool RaiseInner() {
+  void RaiseInner() {
     known_.Remember(support_);
     hint_ = support_;
-    if (!inner_.Insert(support_, outer_.Height())) return false;
-    if (!settings_.known_points) return true;
+    if (!inner_.Insert(support_, outer_.Height()) || !settings_.known_points) return;
     for (int i = 0; i < kMaxCombinations; ++i) {
       hint_ = known_.Farthest(inner_.Normal());
       const S gap = outer_.Height() - inner_.Height();
       if (!(inner_.Excess(hint_.point) > kWorthwhile * gap * inner_.Normal()[L - 1])) break;
       if (!inner_.Insert(hint_, outer_.Height())) break;
     }
-    return true;
   }
 
   /// Polytopes: primal warm start (Sec. III-D3). The last basis, moved with the sets, goes into the inner
