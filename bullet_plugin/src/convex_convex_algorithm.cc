@@ -146,6 +146,7 @@ void ConvexConvexAlgorithm::WriteContacts(const dgd::ContactPatch<double>& patch
   }
   WritePatch(patch, normal, output);
   output.refreshContactPoints();
+  OrderByImpulse(*manifold_);
   manifold_->setContactBreakingThreshold(breaking_threshold);
 }
 

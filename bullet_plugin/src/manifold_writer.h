@@ -18,4 +18,10 @@ void DropStalePoints(btPersistentManifold& manifold, const dgd::ContactPatch<dou
 /// Hands the patch over. `normal` points from A to B, the shapes in the order of the call; Bullet's points from B to A.
 void WritePatch(const dgd::ContactPatch<double>& patch, const Vector3& normal, btManifoldResult& output);
 
+/// Puts the points that carried more in the last step first. Bullet's contact solver goes through a manifold in this
+/// order, and its last word is the last point's: where that is one that carries much, the tilt that each level of a
+/// tower is left with feeds a sway. By measurement: the bodies of scenes/tower_20.json move at 63 mm/s without this, at
+/// 0.09 with it, and more the other way round. For manifolds that this pair owns only.
+void OrderByImpulse(btPersistentManifold& manifold);
+
 }  // namespace dgd_bullet

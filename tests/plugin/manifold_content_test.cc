@@ -191,6 +191,22 @@ TEST_F(ManifoldContent, PointsPersistWhileTheBodyMovesALittle) {
   }
 }
 
+// The order in which Bullet's contact solver goes through them: what carried more first, the nearly equal as they were.
+TEST_F(ManifoldContent, PointsThatCarriedMore_ComeFirst) {
+  PairQuery pair(dispatching_.dispatcher(), box_, floor_);
+  pair.SetPoses(At(0, 0, 0.199), At(0, 0, -1));
+  pair.Step();
+  btPersistentManifold& manifold = *pair.manifold();
+  ASSERT_EQ(manifold.getNumContacts(), 4);
+  const double given[] = {1, 2, 1.1, 3}, expected[] = {3, 2, 1, 1.1};
+  for (int i = 0; i < 4; ++i) manifold.getContactPoint(i).m_appliedImpulse = btScalar(given[i]);
+  const btVector3 strongest = manifold.getContactPoint(3).m_localPointA;
+  pair.Step();
+  ASSERT_EQ(manifold.getNumContacts(), 4);
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(manifold.getContactPoint(i).m_appliedImpulse, btScalar(expected[i]));
+  EXPECT_LE((manifold.getContactPoint(0).m_localPointA - strongest).length(), kLength);
+}
+
 /// All cached points must be where the bodies are now: on B's surface, along a normal of this step.
 void ExpectNothingStale(PairQuery& pair, const std::vector<Contact>& contacts) {
   ASSERT_EQ(pair.manifold()->getNumContacts(), static_cast<int>(contacts.size()));
