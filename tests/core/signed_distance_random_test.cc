@@ -55,7 +55,8 @@ void CheckRandomPairs(int count) {
   Random random(TestSeed());
   int overlaps = 0, unfinished = 0, unfinished_polytopes = 0;
   for (int i = 0; i < count && !::testing::Test::HasFailure(); ++i) {
-    const PairNumbers numbers = RoundedToFloat(RandomPairOfAnyTypes(random));
+    const PairNumbers any_numbers = RandomPairOfAnyTypes(random);
+    const PairNumbers numbers = sizeof(S) == sizeof(float) ? RoundedToFloat(any_numbers) : any_numbers;
     const AnyPair<S, 3> pair(numbers);
     dgd::WarmStart<S> warm_start;
     const dgd::Result<S> growth = pair.GrowthDistance({}, &warm_start);
@@ -67,25 +68,27 @@ void CheckRandomPairs(int count) {
     const double rounding = 64 * kEpsilon * reach;
     SCOPED_TRACE("pair " + std::to_string(i) + "\n" + Dump(numbers));
 
-    const Eigen::Vector3d normal = result.normal.template cast<double>();
-    EXPECT_NEAR(normal.norm(), 1, 16 * kEpsilon);
-    EXPECT_NEAR(SeparationAlong(pair, normal.normalized()), double(result.separation), rounding);
     EXPECT_GE(double(result.separation - growth.separation), -rounding) << int(growth.status);
     EXPECT_LE(double(result.separation), double(result.upper_bound) + rounding);
-    const double other = BestOfOtherNormals(random, pair, normal.normalized());
+    const double other = BestOfOtherNormals(random, pair, result.normal.template cast<double>().normalized());
     EXPECT_LE(other, double(result.upper_bound) + rounding);
 
     overlaps += result.separation < 0;
     const bool is_finished = result.status == dgd::Status::kOptimal;
     unfinished += !is_finished;
     unfinished_polytopes += is_polytope && !is_finished;
+    const dgd::SignedDistanceCertificate certificate = pair.Certify(result);
+    EXPECT_LE(certificate.dual_infeasibility, 16 * kEpsilon);
+    EXPECT_LE(certificate.separation_error, rounding);
     if (!is_finished) continue;
     const double gap = is_polytope ? rounding : kGap * size + rounding;
+    // The root of the gap is how far a normal and the points are off along a curve.
+    EXPECT_TRUE(certificate.Holds(2 * gap, 4 * std::sqrt(gap * reach)))
+        << "primal infeasibility " << certificate.primal_infeasibility << " m, connection error "
+        << certificate.connection_error << " m, neighbour's gain " << certificate.neighbour_gain << " m; at most "
+        << 2 * gap << " m";
     EXPECT_LE(double(result.upper_bound - result.separation),
               result.separation < 0 && !is_polytope ? 0.01 * size : 2 * gap);
-    // The root of the gap, which is how far a normal and the points are off along a curve.
-    const dgd::Vector3<S> connection = result.witness_2 - result.witness_1 - result.separation * result.normal;
-    EXPECT_LE(double(connection.norm()), 4 * std::sqrt(gap * reach));
   }
   EXPECT_GE(overlaps, 0.3 * count);
   EXPECT_LE(overlaps, 0.8 * count);

@@ -9,6 +9,7 @@
 
 #include "dgd/growth_distance.h"
 #include "dgd/shapes.h"
+#include "dgd/signed_distance_certificate.h"
 
 namespace dgd_test {
 namespace {
@@ -34,6 +35,7 @@ class SignedDistanceTest : public ::testing::Test {
     const auto from_nothing = dgd::SignedDistance(set_1, {}, set_2, pose_2, dgd::Result<S>());
     EXPECT_EQ(from_nothing.status, dgd::Status::kOptimal);
     EXPECT_NEAR(from_nothing.separation, from_basis.separation, kTolerance);
+    EXPECT_TRUE(dgd::Certify(set_1, {}, set_2, pose_2, from_basis).Holds(kTolerance, kWitness));
     return from_basis;
   }
 

@@ -80,6 +80,17 @@ dgd::Certificate AnyPair<S, L>::Certify(const dgd::Result<S, L>& result) const {
 }
 
 template <class S, int L>
+dgd::SignedDistanceCertificate AnyPair<S, L>::Certify(const dgd::SignedDistanceResult<S>& result) const
+    requires(L == 3) {
+  if constexpr (L == 3) {  // As above.
+    return std::visit([&](const auto& a, const auto& b) { return dgd::Certify(a, pose_1_, b, pose_2_, result); },
+                      set_1_, set_2_);
+  } else {
+    return {};
+  }
+}
+
+template <class S, int L>
 auto AnyPair<S, L>::SupportFromCenter(Which which, const Point& direction) const -> Point {
   const dgd::SquareMatrix<double, L> rotation = PoseOf(which).rotation.template cast<double>();
   const Point local_direction = rotation.transpose() * direction;

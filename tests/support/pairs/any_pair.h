@@ -7,6 +7,7 @@
 #include "dgd/certificate.h"
 #include "dgd/growth_distance.h"
 #include "dgd/signed_distance.h"
+#include "dgd/signed_distance_certificate.h"
 #include "support/pairs/erased_core.h"
 #include "support/pairs/set_numbers.h"
 
@@ -36,6 +37,7 @@ class AnyPair {
                                               const dgd::WarmStart<S>* warm_start = nullptr,
                                               const dgd::Settings<S>& settings = {}) const requires(L == 3);
   dgd::Certificate Certify(const dgd::Result<S, L>& result) const;
+  dgd::SignedDistanceCertificate Certify(const dgd::SignedDistanceResult<S>& result) const requires(L == 3);
 
   /// A farthest point of the set along a unit vector, in the world, from the set's centre.
   Point SupportFromCenter(Which which, const Point& direction) const;

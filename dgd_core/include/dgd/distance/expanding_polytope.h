@@ -68,7 +68,7 @@ class ExpandingPolytope {
     Feature nearest = points_[0];
     S least = std::numeric_limits<S>::infinity();
     std::for_each(faces_.begin(), End(), [&](const Face& face) {
-      const bool is_turned_away = !IsSliver(face) && face.normal.dot(target) - face.distance < -rounding_;
+      const bool is_turned_away = !IsSliver(face) && face.normal.dot(target) - face.distance < -face.slack;
       if (is_turned_away) return;
       std::array<Feature, 3> corners{points_[face.corners[0]], points_[face.corners[1]], points_[face.corners[2]]};
       for (Feature& corner : corners) corner.point -= target;
