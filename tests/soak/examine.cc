@@ -114,7 +114,8 @@ class Examination {
       Demand("relative gap", certificate.relative_gap, limits.gap);
       CheckGrowthDistance(result, limits);
     }
-    const double beyond_last_digit = std::max(0.0, certificate.primal_infeasibility - limits.carried);
+    // In this order, std::max keeps a NaN.
+    const double beyond_last_digit = std::max(certificate.primal_infeasibility - limits.carried, 0.0);
     tally_.primal_infeasibility.Take(beyond_last_digit / limits.size, case_.index);
     tally_.dual_infeasibility.Take(certificate.dual_infeasibility, case_.index);
     tally_.separation_error.Take(certificate.separation_error / limits.size, case_.index);
@@ -123,7 +124,7 @@ class Examination {
     Demand("separation error in m", certificate.separation_error, limits.separation);
   }
 
-  /// An honest one where the rounding of needles' and sheets' points, in float, decides more than the tolerance does.
+  /// Stalled in float, where the rounding of needles' and sheets' points decides more than the tolerance does.
   static bool IsShortOfFloat(const dgd::Result<S, L>& result, const dgd::Certificate& certificate,
                              const Limits<S>& limits) {
     return kIsFloat && result.status == dgd::Status::kStalled && certificate.relative_gap <= limits.answer;

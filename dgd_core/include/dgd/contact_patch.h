@@ -285,9 +285,8 @@ template <class Set>
 
 /// The patch of two sets along result.normal, from their supporting faces along it and against it. The witness point is
 /// in it, or a point as deep.
-/// @param result            Normal, separation along it and witness points of these sets and poses: of
-/// GrowthDistance(),
-///                          or with those of SignedDistance() in their place.
+/// @param result            Of GrowthDistance() for these sets and poses, or with the normal, separation and witness
+///                          points of SignedDistance() in the place of its own. World, metres.
 /// @param face_1, face_2    FindFace() of set 1 along the normal and of set 2 along its opposite.
 /// @param settings          In range.
 /// @param is_approaching    bool(const Vector3<S>& point, S separation): whether a point beyond the contact distance

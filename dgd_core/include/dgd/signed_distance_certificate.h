@@ -29,8 +29,8 @@ struct SignedDistanceCertificate {
   /// By how much the best of some normals around separates the sets by more, metres: of 32 within 0.01 rad.
   double neighbour_gain = 0;
 
-  /// @param point_tolerance  For the witness points, metres: along curves they are off by the root of what the
-  ///                         separation is.
+  /// @param length_tolerance  For lengths along the normal and distances from the sets, metres.
+  /// @param point_tolerance   For the connection, metres: along curves it is off by the root of what the separation is.
   bool Holds(double length_tolerance, double point_tolerance) const {
     return primal_infeasibility <= length_tolerance && dual_infeasibility <= 1e-3 &&
            separation_error <= length_tolerance && connection_error <= point_tolerance &&

@@ -68,8 +68,7 @@ struct EdgeArea {
 };
 
 /// As Weigh(), for slivers: one long side and little area, where plain sums and differences lose most digits.
-/// @param area          Twice the triangle's seen along the ray: from its sides, since the three edge areas may
-/// cancel.
+/// @param area          Twice the triangle's seen along the ray, from its sides: the three edge areas may cancel.
 /// @param border_error  How far the border may be off, metres.
 template <class S>
 bool WeighSliver(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, S area, S border_error,
