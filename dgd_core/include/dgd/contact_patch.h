@@ -226,6 +226,10 @@ void Reduce(const CornerList<S>& corners, S spacing, int max_points, CornerList<
   for (int i = 1; i < corners.size; ++i) {
     if (corners[i].Separation() < corners[deepest].Separation()) deepest = i;
   }
+  // Of equals the first: the last digits must not choose another corner, and with it other three, in every step.
+  constexpr S kEqual = S(1e-5);
+  const S as_deep = corners[deepest].Separation() + kEqual * spacing;
+  for (deepest = 0; !(corners[deepest].Separation() <= as_deep);) ++deepest;
   kept.Add(corners[deepest]);
   if (max_points == 1) return;
 

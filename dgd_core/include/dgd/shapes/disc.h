@@ -46,13 +46,17 @@ CurvedPoint<S> RimSupport(const Vector3<S>& direction, S radius, S z) {
 /// Points of the inscribed polygon that stands for a disc in a contact patch.
 inline constexpr int kDiscPoints = 8;
 
-/// Adds the disc's inscribed polygon, one of whose corners is the support point along `direction`.
+/// Adds the disc's inscribed polygon: one of its corners is the support point along `direction`, unless that is all but
+/// the disc's axis. Whoever stands on the disc must not have its points turned around by the last digits of its tilt.
 template <class S>
 void AddDisc(const Vector3<S>& direction, S radius, S z, SupportingFace<S>& face) {
   static_assert(kDiscPoints <= SupportingFace<S>::kMaxPoints);
   static const S kCosine = std::cos(S(2 * EIGEN_PI / kDiscPoints));
   static const S kSine = std::sin(S(2 * EIGEN_PI / kDiscPoints));
-  Vector3<S> corner = DiscSupport(direction, radius, z);
+  // The rim is then less than 1e-4 of the radius lower than the polygon.
+  constexpr S kUprightTangent = S(1e-3);
+  const bool upright = std::hypot(direction.x(), direction.y()) < kUprightTangent * std::abs(direction.z());
+  Vector3<S> corner = upright ? Vector3<S>(radius, 0, z) : DiscSupport(direction, radius, z);
   for (int i = 0; i < kDiscPoints; ++i) {
     face.Add(corner);
     corner = Vector3<S>(kCosine * corner.x() - kSine * corner.y(), kSine * corner.x() + kCosine * corner.y(), z);
