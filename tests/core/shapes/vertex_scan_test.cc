@@ -46,5 +46,30 @@ TEST(PointArrays, Farthest_NamesAPointForAnyDirection) {
   }
 }
 
+/// Random points, some of them twice and some on a plane that a direction is normal to, so that there are ties.
+template <class S>
+void CompareKernels() {
+  if (!dgd::vertex_scan::HasAvx2()) GTEST_SKIP() << "this processor has no AVX2: there is nothing to compare";
+  const S nan = std::numeric_limits<S>::quiet_NaN(), infinity = std::numeric_limits<S>::infinity();
+  constexpr std::size_t kBlock = dgd::vertex_scan::kBlockBytes / sizeof(S);
+  Random random(TestSeed());
+  for (std::size_t padded = kBlock; padded <= 12 * kBlock; padded += kBlock) {
+    for (int trial = 0; trial < 500; ++trial) {
+      std::vector<S> coordinates(3 * padded);
+      for (S& coordinate : coordinates) coordinate = static_cast<S>(random.Below(5) - 2);
+      dgd::Vector3<S> direction = random.UnitVector().cast<S>();
+      if (trial % 4 == 1) direction = dgd::Vector3<S>::Unit(trial / 4 % 3);
+      if (trial % 50 == 2) direction[trial / 50 % 3] = trial % 100 == 2 ? nan : infinity;
+      const S x = direction.x(), y = direction.y(), z = direction.z();
+      ASSERT_EQ(dgd::vertex_scan::FarthestAvx2(coordinates.data(), padded, x, y, z),
+                dgd::vertex_scan::FarthestSse2(coordinates.data(), padded, x, y, z))
+          << padded << " points along " << direction.transpose();
+    }
+  }
+}
+
+TEST(VertexScan, Farthest_AllKernelsFindTheSamePointInDouble) { CompareKernels<double>(); }
+TEST(VertexScan, Farthest_AllKernelsFindTheSamePointInFloat) { CompareKernels<float>(); }
+
 }  // namespace
 }  // namespace dgd_test

@@ -1,0 +1,34 @@
+// The loop of vertex_scan.h for each instruction set. Compiled apart, and from nothing that other translation units
+// instantiate too: a template or inline function compiled for AVX2 must not end up where the processor has none.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace dgd::vertex_scan {
+
+/// Points per scan step at most, in bytes of one coordinate: the arrays are padded to whole blocks of it.
+inline constexpr std::size_t kBlockBytes = 64;
+
+/// Index of the point with the greatest x * direction_x + y * direction_y + z * direction_z, summed in this order, each
+/// operation rounded; the first one of several. 0 where no height is a number. All kernels give the same answer.
+/// @param coordinates  Three arrays one after the other, of `padded` scalars each; no alignment needed.
+/// @param padded       A multiple of kBlockBytes / sizeof(scalar), > 0.
+template <class S>
+using Kernel = std::uint32_t (*)(const S* coordinates, std::size_t padded, S x, S y, S z);
+
+std::uint32_t FarthestSse2(const double* coordinates, std::size_t padded, double x, double y, double z);
+std::uint32_t FarthestSse2(const float* coordinates, std::size_t padded, float x, float y, float z);
+
+/// For processors with HasAvx2().
+std::uint32_t FarthestAvx2(const double* coordinates, std::size_t padded, double x, double y, double z);
+std::uint32_t FarthestAvx2(const float* coordinates, std::size_t padded, float x, float y, float z);
+
+/// Whether this processor, and the system on it, can run AVX2.
+bool HasAvx2();
+
+/// The best kernel for this processor.
+std::uint32_t Farthest(const double* coordinates, std::size_t padded, double x, double y, double z);
+std::uint32_t Farthest(const float* coordinates, std::size_t padded, float x, float y, float z);
+
+}  // namespace dgd::vertex_scan

@@ -1,0 +1,109 @@
+// The scan on what every x86-64 has, and the choice of the best one.
+#include <emmintrin.h>
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <limits>
+
+#include "dgd/shapes/vertex_scan_kernels.h"
+
+namespace dgd::vertex_scan {
+namespace {
+
+/// Points scanned at once: their heights stay on the stack until the highest one's place is known. As many as a mask
+/// has bits.
+constexpr std::size_t kChunk = 64;
+
+template <class S>
+using Lanes __attribute__((vector_size(16))) = S;
+/// Unaligned, and allowed to alias the scalars that it reads.
+template <class S>
+using LoadLanes __attribute__((vector_size(16), aligned(alignof(S)), may_alias)) = S;
+
+/// A bit per lane of a block that equals the value, the first lane's lowest.
+template <class S>
+std::uint64_t LanesEqualTo(S value, const Lanes<S>* block) {
+  const Lanes<S> values = value - Lanes<S>{};
+  if constexpr (sizeof(S) == sizeof(double)) {
+    const __m128 low = _mm_castpd_ps(_mm_cmpeq_pd(block[0], values));
+    const __m128 high = _mm_castpd_ps(_mm_cmpeq_pd(block[1], values));
+    return static_cast<std::uint64_t>(_mm_movemask_ps(_mm_shuffle_ps(low, high, _MM_SHUFFLE(2, 0, 2, 0))));
+  } else {
+    const __m128i low = _mm_castps_si128(_mm_cmpeq_ps(block[0], values));
+    const __m128i high = _mm_castps_si128(_mm_cmpeq_ps(block[1], values));
+    const __m128i halves = _mm_packs_epi32(low, high);
+    return static_cast<std::uint64_t>(_mm_movemask_epi8(_mm_packs_epi16(halves, _mm_setzero_si128())));
+  }
+}
+
+template <class S>
+std::uint32_t FarthestOf(const S* x, std::size_t padded, S direction_x, S direction_y, S direction_z) {
+  constexpr std::size_t kLanes = 16 / sizeof(S);
+  const auto load = [](const S* array) { return Lanes<S>(*reinterpret_cast<const LoadLanes<S>*>(array)); };
+  const S* y = x + padded;
+  const S* z = y + padded;
+  const Lanes<S> dx = direction_x - Lanes<S>{}, dy = direction_y - Lanes<S>{}, dz = direction_z - Lanes<S>{};
+
+  S highest = -std::numeric_limits<S>::infinity();
+  std::size_t farthest = 0;
+  Lanes<S> heights[kChunk / kLanes];
+  for (std::size_t begin = 0; begin < padded; begin += kChunk) {
+    // First the greatest height of the chunk, which vectors find without a branch; then where it was.
+    const std::size_t vectors = std::min(kChunk, padded - begin) / kLanes;
+    Lanes<S> even = highest - Lanes<S>{};
+    Lanes<S> odd = even;
+    for (std::size_t i = 0; i < vectors; i += 2) {
+      const std::size_t a = begin + i * kLanes, b = a + kLanes;
+      heights[i] = load(x + a) * dx + load(y + a) * dy + load(z + a) * dz;
+      heights[i + 1] = load(x + b) * dx + load(y + b) * dy + load(z + b) * dz;
+      even = heights[i] > even ? heights[i] : even;
+      odd = heights[i + 1] > odd ? heights[i + 1] : odd;
+    }
+    even = even > odd ? even : odd;
+    S top = even[0];
+    for (std::size_t lane = 1; lane < kLanes; ++lane) top = even[lane] > top ? even[lane] : top;
+    if (!(top > highest)) continue;
+    highest = top;
+    // As a mask: where a search would stop is what no branch predictor knows.
+    std::uint64_t at_top = 0;
+    for (std::size_t i = 0; i < vectors; i += 2) at_top |= LanesEqualTo<S>(top, &heights[i]) << (i * kLanes);
+    farthest = begin + static_cast<std::size_t>(std::countr_zero(at_top));
+  }
+  return static_cast<std::uint32_t>(farthest);
+}
+
+/// The kernel in use, chosen by the first call: a query before main() finds a valid one, too.
+template <class S>
+struct Best {
+  static std::uint32_t Choose(const S* coordinates, std::size_t padded, S x, S y, S z) {
+    const Kernel<S> avx2 = FarthestAvx2, sse2 = FarthestSse2;
+    const Kernel<S> best = HasAvx2() ? avx2 : sse2;
+    kernel.store(best, std::memory_order_relaxed);
+    return best(coordinates, padded, x, y, z);
+  }
+
+  static constinit inline std::atomic<Kernel<S>> kernel = &Choose;
+};
+
+}  // namespace
+
+std::uint32_t FarthestSse2(const double* coordinates, std::size_t padded, double x, double y, double z) {
+  return FarthestOf(coordinates, padded, x, y, z);
+}
+
+std::uint32_t FarthestSse2(const float* coordinates, std::size_t padded, float x, float y, float z) {
+  return FarthestOf(coordinates, padded, x, y, z);
+}
+
+bool HasAvx2() { return __builtin_cpu_supports("avx2") != 0; }
+
+std::uint32_t Farthest(const double* coordinates, std::size_t padded, double x, double y, double z) {
+  return Best<double>::kernel.load(std::memory_order_relaxed)(coordinates, padded, x, y, z);
+}
+
+std::uint32_t Farthest(const float* coordinates, std::size_t padded, float x, float y, float z) {
+  return Best<float>::kernel.load(std::memory_order_relaxed)(coordinates, padded, x, y, z);
+}
+
+}  // namespace dgd::vertex_scan

@@ -1,0 +1,108 @@
+// Compiled for AVX2, without FMA: one rounding per operation, so that all processors find the same vertices.
+#include <immintrin.h>
+
+#include "dgd/shapes/vertex_scan_kernels.h"
+
+namespace dgd::vertex_scan {
+namespace {
+
+// What the two scalars' vectors are called. Static members of a local type: nothing here leaves this file.
+struct Doubles {
+  using Scalar = double;
+  using Vector = __m256d;
+  static constexpr std::size_t kLanes = 4;
+
+  static Vector Load(const double* from) { return _mm256_loadu_pd(from); }
+  static void Store(double* to, Vector a) { _mm256_storeu_pd(to, a); }
+  static Vector Broadcast(double a) { return _mm256_set1_pd(a); }
+  static Vector CountUp() { return _mm256_setr_pd(0, 1, 2, 3); }
+  static Vector Add(Vector a, Vector b) { return _mm256_add_pd(a, b); }
+  static Vector Multiply(Vector a, Vector b) { return _mm256_mul_pd(a, b); }
+  // The second one if either is no number.
+  static Vector Greater(Vector a, Vector b) { return _mm256_max_pd(a, b); }
+  static Vector IsAbove(Vector a, Vector b) { return _mm256_cmp_pd(a, b, _CMP_GT_OQ); }
+  static Vector Choose(Vector no, Vector yes, Vector mask) { return _mm256_blendv_pd(no, yes, mask); }
+  static unsigned LanesEqual(Vector a, Vector b) {
+    return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_EQ_OQ)));
+  }
+  // The greatest lane in all lanes.
+  static Vector Top(Vector a) {
+    a = _mm256_max_pd(a, _mm256_permute2f128_pd(a, a, 1));
+    return _mm256_max_pd(a, _mm256_permute_pd(a, 5));
+  }
+};
+
+struct Floats {
+  using Scalar = float;
+  using Vector = __m256;
+  static constexpr std::size_t kLanes = 8;
+
+  static Vector Load(const float* from) { return _mm256_loadu_ps(from); }
+  static void Store(float* to, Vector a) { _mm256_storeu_ps(to, a); }
+  static Vector Broadcast(float a) { return _mm256_set1_ps(a); }
+  static Vector CountUp() { return _mm256_setr_ps(0, 1, 2, 3, 4, 5, 6, 7); }
+  static Vector Add(Vector a, Vector b) { return _mm256_add_ps(a, b); }
+  static Vector Multiply(Vector a, Vector b) { return _mm256_mul_ps(a, b); }
+  static Vector Greater(Vector a, Vector b) { return _mm256_max_ps(a, b); }
+  static Vector IsAbove(Vector a, Vector b) { return _mm256_cmp_ps(a, b, _CMP_GT_OQ); }
+  static Vector Choose(Vector no, Vector yes, Vector mask) { return _mm256_blendv_ps(no, yes, mask); }
+  static unsigned LanesEqual(Vector a, Vector b) {
+    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_EQ_OQ)));
+  }
+  static Vector Top(Vector a) {
+    a = _mm256_max_ps(a, _mm256_permute2f128_ps(a, a, 1));
+    a = _mm256_max_ps(a, _mm256_permute_ps(a, 0x4e));
+    return _mm256_max_ps(a, _mm256_permute_ps(a, 0xb1));
+  }
+};
+
+// Each lane keeps its greatest height and where that was; two chains hide the latency.
+template <class V>
+std::uint32_t FarthestOf(const typename V::Scalar* coordinates, std::size_t padded, typename V::Scalar x,
+                         typename V::Scalar y, typename V::Scalar z) {
+  using S = typename V::Scalar;
+  using Vector = typename V::Vector;
+  constexpr std::size_t kLanes = V::kLanes;
+  const Vector dx = V::Broadcast(x), dy = V::Broadcast(y), dz = V::Broadcast(z);
+  const auto heights = [&](std::size_t i) {
+    const Vector across =
+        V::Add(V::Multiply(V::Load(coordinates + i), dx), V::Multiply(V::Load(coordinates + padded + i), dy));
+    return V::Add(across, V::Multiply(V::Load(coordinates + 2 * padded + i), dz));
+  };
+  const Vector lowest = V::Broadcast(-__builtin_huge_val());
+  Vector even = lowest, odd = lowest, even_block = V::Broadcast(0), odd_block = even_block, block = even_block;
+  const Vector next = V::Broadcast(2 * kLanes);
+  for (std::size_t i = 0; i < padded; i += 2 * kLanes) {
+    const Vector a = heights(i), b = heights(i + kLanes);
+    even_block = V::Choose(even_block, block, V::IsAbove(a, even));
+    odd_block = V::Choose(odd_block, block, V::IsAbove(b, odd));
+    even = V::Greater(a, even);
+    odd = V::Greater(b, odd);
+    block = V::Add(block, next);
+  }
+
+  const Vector top = V::Top(V::Greater(even, odd));
+  const unsigned at_top = V::LanesEqual(even, top) | V::LanesEqual(odd, top) << kLanes;
+  S places[2 * kLanes];
+  V::Store(places, V::Add(even_block, V::CountUp()));
+  V::Store(places + kLanes, V::Add(odd_block, V::Add(V::CountUp(), V::Broadcast(kLanes))));
+  S first = places[__builtin_ctz(at_top)];
+  // Several points as high: copies in the padding, or a face that the direction is normal to.
+  for (unsigned rest = at_top & (at_top - 1); rest != 0; rest &= rest - 1) {
+    const S place = places[__builtin_ctz(rest)];
+    if (place < first) first = place;
+  }
+  return static_cast<std::uint32_t>(first);
+}
+
+}  // namespace
+
+std::uint32_t FarthestAvx2(const double* coordinates, std::size_t padded, double x, double y, double z) {
+  return FarthestOf<Doubles>(coordinates, padded, x, y, z);
+}
+
+std::uint32_t FarthestAvx2(const float* coordinates, std::size_t padded, float x, float y, float z) {
+  return FarthestOf<Floats>(coordinates, padded, x, y, z);
+}
+
+}  // namespace dgd::vertex_scan
