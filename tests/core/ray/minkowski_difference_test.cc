@@ -59,7 +59,7 @@ TEST(MinkowskiDifference, Support_IsTheDifferenceOfTheSetsSupportPoints) {
     for (int k = 0; k < 20; ++k) {
       const Eigen::Vector3d normal = random.UnitVector();
       const Eigen::Vector3d normal_w = difference.DirectionToWorld(normal);
-      const dgd::DifferencePoint<double> support = difference.Support(normal);
+      const dgd::DifferencePoint<double> support = difference.Support(normal, normal);
       const double value = normal.dot(support.point) + difference.Rounding();
       // By Prop. 1: the support value of C1 - C2 + p, with the centres at the origin.
       EXPECT_NEAR(normal_w.dot(p) - value, reference.SeparationAlong(normal_w), 1e-13 * reference.Extent());
@@ -83,7 +83,8 @@ TEST(MinkowskiDifference, Radii_AreRoundingFromAboutEightDigitsOn) {
     const dgd::RoundedSet box{dgd::Box<double>(Eigen::Vector3d(1, 1, 1)), radius};
     const dgd::RoundedSet point{dgd::Point<double>(), 0.0};
     const dgd::MinkowskiDifference difference(box, {}, point, {dgd::Matrix3<double>::Identity(), {3, 0, 0}});
-    return std::pair(difference.Rounding(), difference.Support(Eigen::Vector3d::UnitZ()).point.z());
+    return std::pair(difference.Rounding(),
+                     difference.Support(Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ()).point.z());
   };
   EXPECT_EQ(difference_of(0), std::pair(0.0, 1.0));
   EXPECT_EQ(difference_of(0.5), std::pair(0.5, 1.0));

@@ -115,7 +115,7 @@ class SignedDistanceSearch {
   /// Not inlined: it is called from many places.
   [[gnu::noinline]] Feature Cut(const Point& normal) {
     ++iterations_;
-    const Feature support = Shifted(difference_.Support(normal, best_.support));
+    const Feature support = Shifted(difference_.Support(normal, normal, best_.support));
     const S height = normal.dot(support.point);
     if (height < best_.height) {
       best_ = {normal, height, support, true};

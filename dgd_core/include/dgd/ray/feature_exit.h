@@ -19,18 +19,20 @@ template <class S, int L>
 struct FeatureExit {
   S height = -1;  // Below any real one: no exit found.
   Vector<S, L> normal = Vector<S, L>::Unit(L - 1);
-  std::array<S, L> weights{};  // Of the feature's points, convex.
+  Vector<S, L> direction = Vector<S, L>::Unit(L - 1);  // The normal's, of any length: known before that is.
+  std::array<S, L> weights{};                          // Of the feature's points, convex.
   int size = 0;
   bool is_rough = false;  // The feature's point may be off the ray by more than the weights' last digits.
 };
 
-/// Turns a facet's normal upwards and to unit length; false if the ray sees the facet edge-on.
+/// Sets direction and normal from a vector along a facet's normal, either way; false if the ray sees the facet edge-on.
 template <class S, int L>
-bool PointUpwards(Vector<S, L>& normal) {
-  const S length = normal.norm();
+bool PointUpwards(const Vector<S, L>& along, FeatureExit<S, L>& exit) {
+  exit.direction = std::copysign(S(1), along[L - 1]) * along;
+  const S length = exit.direction.norm();
   if (!(length > 0)) return false;
-  normal *= std::copysign(1 / length, normal[L - 1]);
-  return normal[L - 1] > 0;
+  exit.normal = 1 / length * exit.direction;
+  return exit.normal[L - 1] > 0;
 }
 
 template <class S>
@@ -47,8 +49,7 @@ template <class S>
 [[gnu::cold, gnu::noinline]] bool SliverExit(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, S rounding,
                                              S corner_error, FeatureExit<S, 3>& exit) {
   const SliverNormal<S> normal(a, b, c);
-  exit.normal = normal.cross;
-  if (!PointUpwards<S, 3>(exit.normal)) return false;
+  if (!PointUpwards<S, 3>(normal.cross, exit)) return false;
   const Vector3<S> shift = rounding * exit.normal;
   const Vector3<S> shifted_a = a + shift, shifted_b = b + shift, shifted_c = c + shift;
   const S area = std::abs(normal.cross.z()), border_error = rounding * normal.error + corner_error;
@@ -69,9 +70,9 @@ template <class S>
 /// it edge-on. Computed the plain way first, and with care where that is not certain.
 template <class S>
 bool FacetExit(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, S rounding, FeatureExit<S, 3>& exit) {
-  exit.normal = (b - a).cross(c - a);
-  const S area = std::abs(exit.normal.z());
-  if (!PointUpwards<S, 3>(exit.normal)) return SliverExit(a, b, c, rounding, S(0), exit);
+  const Vector3<S> cross = (b - a).cross(c - a);
+  const S area = std::abs(cross.z());
+  if (!PointUpwards<S, 3>(cross, exit)) return SliverExit(a, b, c, rounding, S(0), exit);
   // The plane moves sideways by the normal's lateral part, and the triangle's border with it.
   const Vector3<S> shift = rounding * exit.normal;
   const Vector3<S> shifted_a = a + shift, shifted_b = b + shift, shifted_c = c + shift;
@@ -112,6 +113,7 @@ bool EdgeExit(const Vector3<S>& a, const Vector3<S>& b, S rounding, FeatureExit<
   const S along = -half_width * d.z() / (rounding * lateral * length);
   exit.normal = {along * d.x() - across * d.y(), along * d.y() + across * d.x(),
                  half_width * lateral / (rounding * length)};
+  exit.direction = exit.normal;
   exit.weights = {1 - t, t, 0};
   exit.size = 2;
   return true;
@@ -121,8 +123,7 @@ bool EdgeExit(const Vector3<S>& a, const Vector3<S>& b, S rounding, FeatureExit<
 template <class S>
 bool FacetExit(const Vector2<S>& a, const Vector2<S>& b, S rounding, FeatureExit<S, 2>& exit) {
   const Vector2<S> d = b - a;
-  exit.normal = {-d.y(), d.x()};
-  if (!PointUpwards<S, 2>(exit.normal)) return false;
+  if (!PointUpwards<S, 2>({-d.y(), d.x()}, exit)) return false;
   const Vector2<S> shift = rounding * exit.normal;
   const S across_a = a.x() + shift.x(), across_b = b.x() + shift.x();
   // Without a radius the sign of a point's coordinate decides, and neighbouring segments agree about it.
@@ -149,6 +150,7 @@ bool VertexExit(const Vector<S, L>& a, S rounding, FeatureExit<S, L>& exit) {
   exit.height = a[L - 1] + half_width;
   exit.normal.template head<L - 1>() = -across / rounding;
   exit.normal[L - 1] = half_width / rounding;
+  exit.direction = exit.normal;
   exit.weights = {1};
   exit.size = 1;
   return true;

@@ -92,8 +92,11 @@ class InnerApproximation {
     return rounding_ > 0 ? InsertRounded(added) : InsertSharp(added);
   }
 
-  /// How much farther along the normal than the feature a point lies, metres.
-  S Excess(const Point& point) const { return normal_.dot(point - PointOf(0)); }
+  /// Whether a point is farther out than the feature by enough to raise the height by `rise` metres at least, if the
+  /// feature were all there is.
+  bool IsAbove(const Point& point, S rise) const {
+    return direction_.dot(point - PointOf(0)) > rise * direction_[L - 1];
+  }
 
   /// Takes over a whole basis, one to L points of the cores' difference that were the feature of an earlier query,
   /// if the ray leaves through the same feature, not lower than so far.
@@ -118,6 +121,8 @@ class InnerApproximation {
   S Height() const { return height_; }
   /// Outward unit normal of the approximation where the ray leaves it; its height is > 0 but for rounding.
   const Point& Normal() const { return normal_; }
+  /// The normal's, of any length: a search for a vertex need not wait for the square root.
+  const Point& Direction() const { return direction_; }
   /// Points of the feature, Size() of them, counterclockwise about the ray if three.
   const DifferencePoint<S, L>& operator[](int i) const { return points_[static_cast<std::size_t>(i)]; }
   int Size() const { return size_; }
@@ -252,12 +257,14 @@ class InnerApproximation {
     if (size_ == L) {
       // Most steps end here: the likely facet carries the ray and the dropped point lies below it.
       const int outgoing = OutgoingIndex(w, rounding_ * normal_);
-      for (int turn = 0; turn < L; ++turn) {
-        const int dropped = (outgoing + turn) % L;
-        if (!FacetExit(dropped, w, candidate)) continue;
+      if (FacetExit(outgoing, w, candidate)) {
+        if (candidate.height >= height_ && IsOutside(candidate, outgoing, added)) {
+          return ReplaceOne(candidate, outgoing, added);
+        }
         keep_higher();
-        const bool is_done = candidate.height >= height_ && candidate.normal.dot(PointOf(dropped) - w) <= 0;
-        if (turn == 0 && is_done) return Replace(best, added);
+      }
+      for (int turn = 1; turn < L; ++turn) {
+        if (FacetExit((outgoing + turn) % L, w, candidate)) keep_higher();
       }
     } else if (size_ == L - 1 && FacetExit(L - 1, w, candidate)) {
       keep_higher();
@@ -274,10 +281,20 @@ class InnerApproximation {
   }
 
   bool InsertSharp(const DifferencePoint<S, L>& added) {
-    // The ratio test names the facet, but for ties and rounding where the ray meets an edge or a corner of the basis,
-    // or the added point is opposite to one. Several facets carry the ray then, at one height but for rounding: it is
-    // one with the dropped point below it, and of those the flattest, which magnifies the rounding least.
+    // The ratio test names the facet, but for ties and rounding.
     const int outgoing = OutgoingIndex(added.point, Point::Zero());
+    Candidate candidate;
+    if (FacetExit(outgoing, added.point, candidate) && candidate.normal[L - 1] > kSteep<S> &&
+        IsOutside(candidate, outgoing, added)) {
+      return ReplaceOne(candidate, outgoing, added);
+    }
+    return InsertSharpAmongAll(added, outgoing);
+  }
+
+  /// Where the ray meets an edge or a corner of the basis, or the added point is opposite to one, several facets carry
+  /// the ray, at one height but for rounding: it is one with the dropped point below it, and of those the flattest,
+  /// which magnifies the rounding least.
+  [[gnu::cold, gnu::noinline]] bool InsertSharpAmongAll(const DifferencePoint<S, L>& added, int outgoing) {
     SharpChoice choice;
     for (int turn = 0; turn < L; ++turn) {
       const int dropped = (outgoing + turn) % L;
@@ -291,7 +308,7 @@ class InnerApproximation {
   }
 
   bool IsOutside(const Candidate& candidate, int dropped, const DifferencePoint<S, L>& added) const {
-    return candidate.normal.dot(PointOf(dropped) - added.point) <= 0;
+    return candidate.direction.dot(PointOf(dropped) - added.point) <= 0;
   }
 
   /// The facets whose border the ray misses by no more than the rounding of the points: where it meets an edge of the
@@ -319,9 +336,8 @@ class InnerApproximation {
   /// that is, and the exit stays. Whether the ray meets the edge is not asked again: when it was found to, the points
   /// may have reached farther, and their rounding with them. Test: InnerApproximation.Insert_PointAcross*.
   bool TurnAboutEdge(const Point& added, Candidate& candidate) const {
-    candidate.normal =
-        ray_internal::SliverNormal<S>(PointOf(candidate.kept[0]), PointOf(candidate.kept[1]), added).cross;
-    if (!ray_internal::PointUpwards<S, L>(candidate.normal)) return false;
+    const ray_internal::SliverNormal<S> normal(PointOf(candidate.kept[0]), PointOf(candidate.kept[1]), added);
+    if (!ray_internal::PointUpwards<S, L>(normal.cross, candidate)) return false;
     const S weight_0 = weights_[static_cast<std::size_t>(candidate.kept[0])];
     const S weight_1 = weights_[static_cast<std::size_t>(candidate.kept[1])];
     const S sum = weight_0 + weight_1;
@@ -339,12 +355,16 @@ class InnerApproximation {
     return reach;
   }
 
-  /// Makes the kept points and the added one the basis, unless that is lower by more than rounding; the bound itself is
-  /// monotone. Equal heights are taken: where the ray meets an edge of the basis, a simplex step turns the plane
-  /// without raising it, and may lower it by rounding many times on the way to the right plane.
+  /// Whether the exit is not lower than now by more than rounding; the bound itself is monotone. Equal heights are
+  /// taken: where the ray meets an edge of the basis, a simplex step turns the plane without raising it, and may lower
+  /// it by rounding many times on the way to the right plane.
+  bool IsHighEnough(const Candidate& candidate, const Point& added) const {
+    return candidate.height >= height_ || candidate.height >= height_ - HeightRounding(candidate, added);
+  }
+
+  /// Makes the kept points and the added one the basis if that is high enough.
   bool Replace(const Candidate& candidate, const DifferencePoint<S, L>& added) {
-    const bool is_higher = candidate.height >= height_;
-    if (!is_higher && !(candidate.height >= height_ - HeightRounding(candidate, added.point))) return false;
+    if (!IsHighEnough(candidate, added.point)) return false;
     // The kept points go to the front; i < j cyclically, so they may have to move in either order.
     const auto kept_count = static_cast<std::size_t>(candidate.size - 1);
     std::array<DifferencePoint<S, L>, L - 1> kept;
@@ -355,15 +375,37 @@ class InnerApproximation {
     return true;
   }
 
+  /// As Replace(), for a facet of FacetExit(): the added point takes the dropped one's place, and the kept ones stay,
+  /// which puts the three in the same order about the ray.
+  bool ReplaceOne(const Candidate& candidate, int dropped, const DifferencePoint<S, L>& added) {
+    if (!IsHighEnough(candidate, added.point)) return false;
+    points_[static_cast<std::size_t>(dropped)] = added;
+    AdoptExit(candidate);
+    weights_[static_cast<std::size_t>(dropped)] = candidate.weights[L - 1];
+    for (std::size_t i = 0; i + 1 < L; ++i)
+      weights_[static_cast<std::size_t>(candidate.kept[i])] = candidate.weights[i];
+    OrderAboutRay();
+    return true;
+  }
+
   /// Takes over the exit of the points that are now the basis.
   void Adopt(const Candidate& candidate) {
+    AdoptExit(candidate);
     weights_ = candidate.weights;
+    OrderAboutRay();
+  }
+
+  void AdoptExit(const Candidate& candidate) {
     size_ = candidate.size;
     height_ = std::max(height_, std::min(candidate.height, ceiling_));
     normal_ = candidate.normal;
+    direction_ = candidate.direction;
     is_rough_ = candidate.is_rough || height_ != candidate.height;
+  }
+
+  /// Counterclockwise, which OutgoingIndex() relies on.
+  void OrderAboutRay() {
     if constexpr (L == 3) {
-      // Counterclockwise about the ray, which OutgoingIndex relies on.
       if (size_ == 3 && ray_internal::Cross<S>(PointOf(1) - PointOf(0), PointOf(2) - PointOf(0)) < 0) {
         std::swap(points_[0], points_[1]);
         std::swap(weights_[0], weights_[1]);
@@ -380,6 +422,7 @@ class InnerApproximation {
   std::array<DifferencePoint<S, L>, L> points_;
   std::array<S, L> weights_{};
   Point normal_ = Point::Unit(L - 1);
+  Point direction_ = Point::Unit(L - 1);
   S rounding_ = 0;
   S height_ = 0;
   S ceiling_ = std::numeric_limits<S>::infinity();

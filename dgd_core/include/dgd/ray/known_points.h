@@ -14,6 +14,7 @@
 // three quarters of what they took, curved cores without second-order steps as well.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -58,10 +59,9 @@ class KnownPoints {
     S height = direction.dot(points[0].point);
     for (std::size_t i = 1; i < size_; ++i) {
       const S other = direction.dot(points[i].point);
-      if (other > height) {
-        height = other;
-        farthest = i;
-      }
+      // Without a branch: which one is higher is what no predictor knows.
+      farthest = other > height ? i : farthest;
+      height = std::max(height, other);
     }
     return points[farthest];
   }

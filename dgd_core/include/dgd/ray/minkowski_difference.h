@@ -113,11 +113,13 @@ class MinkowskiDifference {
   S Rounding() const { return rounding_; }
 
   /// The point of the cores' difference farthest along the unit vector `normal` (ray frame): eq. (5) of the paper.
-  /// @param hint  Features of a point that is likely to be near, for cores that make use of one; any will do.
-  DifferencePoint<S, L> Support(const Point& normal, const DifferencePoint<S, L>& hint = {}) const {
-    return Difference(CoreSupport<typename Set1::Core>(set_1_.core, to_frame_1_.transpose() * normal, hint.feature_1),
-                      CoreSupport<typename Set2::Core>(set_2_.core, to_frame_2_.transpose() * -normal, hint.feature_2),
-                      normal);
+  /// @param direction  The normal's, of any length.
+  /// @param hint       Features of a point that is likely to be near, for cores that make use of one; any will do.
+  DifferencePoint<S, L> Support(const Point& direction, const Point& normal,
+                                const DifferencePoint<S, L>& hint = {}) const {
+    return Difference(
+        CoreSupport<typename Set1::Core>(set_1_.core, to_frame_1_.transpose() * direction, hint.feature_1),
+        CoreSupport<typename Set2::Core>(set_2_.core, to_frame_2_.transpose() * -direction, hint.feature_2), normal);
   }
 
   /// Whether both cores have these features; they may have changed since a previous query named them.

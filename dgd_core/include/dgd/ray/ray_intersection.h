@@ -81,7 +81,7 @@ class RayIntersection {
       normal = difference_.DirectionToFrame(warm_start->normal_1);
     }
     iterations_ = 1;
-    const Feature support = difference_.Support(normal);
+    const Feature support = difference_.Support(normal, normal);
     outer_.Adopt(normal, normal.dot(support.point) + difference_.Rounding(), support);
     return Status::kCoincidentCenters;
   }
@@ -89,11 +89,11 @@ class RayIntersection {
   template <class Observer>
   [[gnu::flatten]] Status Improve(Question question, const WarmStart<S, L>* warm_start, Observer& observer) {
     InitializeInner();
-    Point normal = warm_start != nullptr ? AdoptLastState(*warm_start) : inner_.Normal();
+    Point normal = warm_start != nullptr ? AdoptLastState(*warm_start) : inner_.Normal(), direction = normal;
     for (;;) {
       if (!(normal[L - 1] > 0)) return Status::kStalled;  // Also for NaN.
       const S last_outer = outer_.Height(), last_inner = inner_.Height();
-      CutAlong(normal);
+      CutAlong(normal, direction);
       if (const Status status = Verdict(question); status != kGoOn) return Report(observer, status);
       if (iterations_ == 1) RememberStart(warm_start);
       RaiseInner();
@@ -110,6 +110,7 @@ class RayIntersection {
       } else {
         normal = NextNormal(last_outer, last_inner);
       }
+      direction = Difference::kIsPolytope ? inner_.Direction() : normal;
     }
   }
 
@@ -173,9 +174,10 @@ class RayIntersection {
   }
 
   /// Alg. 2, lines 1 and 2: support point and outer update.
-  void CutAlong(const Point& normal) {
+  /// @param direction  The normal's, of any length.
+  void CutAlong(const Point& normal, const Point& direction) {
     ++iterations_;
-    support_ = difference_.Support(normal, hint_);
+    support_ = difference_.Support(direction, normal, hint_);
     outer_.Cut(normal, normal.dot(support_.point) + difference_.Rounding(), support_);
   }
 
@@ -200,9 +202,8 @@ class RayIntersection {
     hint_ = support_;
     if (!inner_.Insert(support_, outer_.Height()) || !settings_.known_points) return;
     for (int i = 0; i < kMaxCombinations; ++i) {
-      hint_ = known_.Farthest(inner_.Normal());
-      const S gap = outer_.Height() - inner_.Height();
-      if (!(inner_.Excess(hint_.point) > kWorthwhile * gap * inner_.Normal()[L - 1])) break;
+      hint_ = known_.Farthest(inner_.Direction());
+      if (!inner_.IsAbove(hint_.point, kWorthwhile * (outer_.Height() - inner_.Height()))) break;
       if (!inner_.Insert(hint_, outer_.Height())) break;
     }
   }
