@@ -10,21 +10,10 @@ namespace {
 
 using dgd_test::AnyPair;
 using dgd_test::PairNumbers;
-using dgd_test::PoseNumbers;
 using dgd_test::Random;
 using dgd_test::Which;
 
-constexpr double kMotion = 0.01;
 constexpr int kTimeRepeats = 3;
-// Of the pairs' places from the extent: overlaps and gaps are both frequent.
-constexpr double kReach = 0.7;
-
-PoseNumbers RandomPose(Random& random, int dimension, double extent) {
-  PoseNumbers pose{RandomRotation(random, dimension), kReach * extent * random.InCube()};
-  if (dimension == 2) pose.translation.z() = 0;
-  return pose;
-}
-
 /// One pair in one pose, asked in one way.
 template <int L>
 void Ask(AnyPair<double, L>& pair, const IterationVariant& variant, const dgd::WarmStart<double, L>& start,
@@ -51,21 +40,20 @@ double Median(std::vector<double>& figures) {
 }
 
 template <int L>
-std::vector<IterationRow> Count(const IterationClass& iteration_class, const Meshes& meshes,
-                                const IterationEffort& effort, void (*progress)(double share)) {
+std::vector<IterationRow> Count(const PairClass& pair_class, const Meshes& meshes, const ClassOptions& options,
+                                void (*progress)(double share)) {
   std::vector<IterationRow> rows;
   for (const IterationVariant& variant : IterationVariants()) rows.push_back({variant.title, {}, 0});
   std::vector<std::vector<double>> times(rows.size());
 
-  Random random(effort.seed);
-  const int pairs = std::max(1, effort.pairs / iteration_class.poses_factor);
-  const int poses = effort.pairs * effort.poses / pairs;
+  Random random(options.seed);
+  const int pairs = std::max(1, options.pairs / pair_class.poses_factor);
+  const int poses = options.pairs * options.poses / pairs;
   for (int i = 0; i < pairs; ++i) {
-    AnyPair<double, L> pair(iteration_class.draw_sets(random, meshes));
+    AnyPair<double, L> pair(pair_class.draw_sets(random, meshes));
     const double extent = pair.Extent();
     for (int j = 0; j < poses; ++j) {
-      const PoseNumbers pose_1 = RandomPose(random, L, extent), last_pose_2 = RandomPose(random, L, extent);
-      const PoseNumbers pose_2 = MovedALittle(random, last_pose_2, L, kMotion, extent);
+      const auto [pose_1, last_pose_2, pose_2] = DrawPoses(random, L, extent);
       const std::int64_t index = std::int64_t{i} * poses + j;
       for (std::size_t v = 0; v < rows.size(); ++v) {
         const IterationVariant& variant = IterationVariants()[v];
@@ -112,10 +100,10 @@ const std::vector<IterationVariant>& IterationVariants() {
   return variants;
 }
 
-std::vector<IterationRow> CountIterations(const IterationClass& iteration_class, const Meshes& meshes,
-                                          const IterationEffort& effort, void (*progress)(double share)) {
-  return iteration_class.dimension == 2 ? Count<2>(iteration_class, meshes, effort, progress)
-                                        : Count<3>(iteration_class, meshes, effort, progress);
+std::vector<IterationRow> CountIterations(const PairClass& pair_class, const Meshes& meshes,
+                                          const ClassOptions& options, void (*progress)(double share)) {
+  return pair_class.dimension == 2 ? Count<2>(pair_class, meshes, options, progress)
+                                   : Count<3>(pair_class, meshes, options, progress);
 }
 
 }  // namespace dgd_bench

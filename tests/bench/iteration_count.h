@@ -2,10 +2,9 @@
 // asking.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
-#include "bench/iteration_class.h"
+#include "bench/class_options.h"
 #include "dgd/growth_distance.h"
 #include "support/pairs/tally.h"
 
@@ -34,15 +33,9 @@ struct IterationRow {
   double microseconds_p50;
 };
 
-struct IterationEffort {
-  int pairs = 1000;
-  int poses = 100;
-  std::uint64_t seed = 1;
-};
-
 /// One row per variant.
 /// @param progress  Called with the share that is done, now and then.
-std::vector<IterationRow> CountIterations(const IterationClass& iteration_class, const Meshes& meshes,
-                                          const IterationEffort& effort, void (*progress)(double share));
+std::vector<IterationRow> CountIterations(const PairClass& pair_class, const Meshes& meshes,
+                                          const ClassOptions& options, void (*progress)(double share));
 
 }  // namespace dgd_bench

@@ -1,6 +1,5 @@
 // iterations: how many iterations the solver takes, class by class of sets, and what its answers are worth. See --help.
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <optional>
@@ -8,10 +7,10 @@
 #include <variant>
 #include <vector>
 
+#include "bench/class_options.h"
 #include "bench/iteration_count.h"
 #include "program_main.h"
 #include "report/progress_bar.h"
-#include "seed_option.h"
 
 namespace dgd_bench {
 namespace {
@@ -20,59 +19,31 @@ constexpr const char* kDescription =
     R"(Counts the iterations of the growth distance over random pairs of sets in random poses, and says
 what the answers are worth by their certificates. Everything in double.)";
 
-constexpr const char* kFooter = R"(
+constexpr const char* kExamples = R"(
 Examples:
   iterations                            all classes: some minutes
   iterations --classes curved           one of them
   iterations --pairs 100 --poses 10     a first look: a second
   iterations --classes meshes --meshes DIR
                                         pairs of the hulls of all .obj files in DIR and below
+)";
 
-Classes:  curved: sphere, capsule, box, cylinder, cone, frustum, ellipsoid, one of each pair not the
-          box, every size log-uniform from 0.25 to 25 cm. rounded-hulls, sharp-hulls: 8 to 20
-          vertices, 1 m across, margin 4 cm or none. meshes: hulls of 241 to 4516 points on ellipsoids
-          of aspect ratio 10; dsf: differentiable support functions of 4 to 30 points; of these two,
-          fewer pairs in more poses. 2d: circle, stadium, rectangle, ellipse, polygon.
-Poses:    random orientations, both centres in a cube of 1.4 times the pair's extent.
-Rows:     cold; warm, from the answer at a pose 1 % of the extent and 0.01 rad away, or from its normal
-          alone; and without each of what goes beyond the paper. Columns: iterations are evaluations of the support functions, percentiles by
-          nearest rank; the worst relative gap and primal infeasibility, relative to the pair's size,
-          by dgd/certificate.h; answers that are not optimal; and the median time. In each evaluation two
-          virtual calls find the cores, which an app does not pay: compare times with each other.
+constexpr const char* kFooter =
+    R"(Rows:     cold; warm, from the answer at a pose 1 % of the extent and 0.01 rad away, or from its normal
+          alone; and without each of what goes beyond the paper. Columns: iterations are evaluations
+          of the support functions, percentiles by nearest rank; the worst relative gap and primal
+          infeasibility, relative to the pair's size, by dgd/certificate.h; answers that are not
+          optimal; and the median time. In each evaluation two virtual calls find the cores, which an
+          app does not pay: compare times with each other (the benchmark `speed` knows the types).
 
 Exit status: 0 all answers optimal; 1 some not (at the default tolerance); 2 wrong command line, or a
 mesh cannot be read.)";
 
-enum ExitStatus { kSuccess = 0, kFailedQuery = 1, kBadInput = 2 };
-
-struct Options {
-  IterationEffort effort;
-  std::vector<std::string> classes;  // Empty for all.
-  std::string meshes;                // Empty for generated ones.
-};
-
-std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
-  constexpr int kMost = 10'000'000;
-  Options options;
-  std::vector<std::string> names;
-  for (const IterationClass& each : AllIterationClasses()) names.emplace_back(each.name);
+std::variant<ClassOptions, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
+  ClassOptions options;
   CLI::App app(kDescription, "iterations");
-  app.footer(kFooter);
-  app.get_formatter()->column_width(30);
-  app.add_option("--pairs", options.effort.pairs, "Pairs of sets of each class")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMost).description(""))
-      ->capture_default_str();
-  app.add_option("--poses", options.effort.poses, "Poses of each pair")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMost).description(""))
-      ->capture_default_str();
-  dgd_demos::AddSeedOption(app, options.effort.seed, "Seed of the sets and poses");
-  app.add_option("--classes", options.classes, "Some of the classes below")
-      ->type_name("A,B")
-      ->delimiter(',')
-      ->check(CLI::IsMember(names).description(""));
-  app.add_option("--meshes", options.meshes, "Folder of .obj files for the class meshes")->type_name("DIR");
+  app.footer(kExamples + ClassesInWords() + kFooter);
+  AddClassOptions(app, options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& end) {
@@ -98,17 +69,17 @@ void Print(const IterationRow& row) {
 // For the callback of CountIterations(), which knows no object.
 std::optional<dgd_demos::ProgressBar> progress_bar;
 
-ExitStatus Run(const Options& options) {
-  dgd_test::Random random(options.effort.seed);
-  const Meshes meshes = options.meshes.empty() ? EllipsoidMeshes(random) : ReadMeshes(options.meshes);
-  std::printf("%d pairs x %d poses a class, seed %llu\n", options.effort.pairs, options.effort.poses,
-              static_cast<unsigned long long>(options.effort.seed));
+ExitStatus Run(const ClassOptions& options) {
+  dgd_test::Random random(options.seed);
+  const Meshes meshes = MakeMeshes(options, random);
+  std::printf("%d pairs x %d poses a class, seed %llu\n", options.pairs, options.poses,
+              static_cast<unsigned long long>(options.seed));
   PrintTitles();
   ExitStatus status = kSuccess;
-  for (const IterationClass& each : AllIterationClasses()) {
-    if (!options.classes.empty() && std::ranges::count(options.classes, each.name) == 0) continue;
+  for (const PairClass& each : AllPairClasses()) {
+    if (!options.Wants(each)) continue;
     progress_bar.emplace(each.name, 1);
-    const auto rows = CountIterations(each, meshes, options.effort, [](double share) { progress_bar->Update(share); });
+    const auto rows = CountIterations(each, meshes, options, [](double share) { progress_bar->Update(share); });
     progress_bar.reset();
     std::printf("%s: %s\n", each.name, each.title);
     for (std::size_t v = 0; v < rows.size(); ++v) {

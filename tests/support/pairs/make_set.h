@@ -1,4 +1,4 @@
-// From plain numbers to a set: the one place to extend, beside set_type.h, for a new type of set.
+// From plain numbers to a set of any type behind one name.
 #pragma once
 
 #include "support/pairs/any_pair.h"

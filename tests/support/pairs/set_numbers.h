@@ -10,7 +10,7 @@
 
 namespace dgd_test {
 
-/// core + ball(radius), in its own frame; metres. What the lengths and points mean, make_set.cc says.
+/// core + ball(radius), in its own frame; metres. what the lengths and points mean, with_core.h says.
 struct SetNumbers {
   SetType type = SetType::kPoint;
   Eigen::Vector3d lengths = Eigen::Vector3d::Zero();

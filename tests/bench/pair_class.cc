@@ -1,4 +1,4 @@
-#include "bench/iteration_class.h"
+#include "bench/pair_class.h"
 
 #include <algorithm>
 #include <array>
@@ -81,7 +81,24 @@ PairNumbers DrawOf(Random& random, const std::array<SetType, count>& types) {
   return PairOf(std::move(set_1), draw());
 }
 
+constexpr double kMotion = 0.01;
+constexpr double kReach = 0.7;
+
+dgd_test::PoseNumbers RandomPose(Random& random, int dimension, double extent) {
+  dgd_test::PoseNumbers pose{RandomRotation(random, dimension), kReach * extent * random.InCube()};
+  if (dimension == 2) pose.translation.z() = 0;
+  return pose;
+}
+
 }  // namespace
+
+PairPoses DrawPoses(Random& random, int dimension, double extent) {
+  PairPoses poses;
+  poses.pose_1 = RandomPose(random, dimension, extent);
+  poses.last_pose_2 = RandomPose(random, dimension, extent);
+  poses.pose_2 = MovedALittle(random, poses.last_pose_2, dimension, kMotion, extent);
+  return poses;
+}
 
 Meshes EllipsoidMeshes(Random& random) {
   Meshes meshes;
@@ -106,8 +123,8 @@ Meshes ReadMeshes(const std::filesystem::path& folder) {
   return meshes;
 }
 
-const std::vector<IterationClass>& AllIterationClasses() {
-  static const std::vector<IterationClass> classes = {
+const std::vector<PairClass>& AllPairClasses() {
+  static const std::vector<PairClass> classes = {
       {"curved", "primitives, a curved one in each pair", 3, 1, DrawPrimitives},
       {"rounded-hulls", "hulls of 8..20 vertices, margin 4 cm", 3, 1,
        [](Random& random, const Meshes&) { return DrawHulls(random, kHullMargin); }},

@@ -1,4 +1,4 @@
-// The classes of pairs that the benchmark `iterations` draws from.
+// The classes of pairs that the benchmarks `iterations` and `speed` draw from.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ Meshes EllipsoidMeshes(dgd_test::Random& random);
 /// Throws std::runtime_error, naming the file, if one cannot be read, or there is none.
 Meshes ReadMeshes(const std::filesystem::path& folder);
 
-struct IterationClass {
+struct PairClass {
   const char* name;   ///< On the command line.
   const char* title;  ///< In the table.
   int dimension;
@@ -30,6 +30,14 @@ struct IterationClass {
   dgd_test::PairNumbers (*draw_sets)(dgd_test::Random& random, const Meshes& meshes);
 };
 
-const std::vector<IterationClass>& AllIterationClasses();
+const std::vector<PairClass>& AllPairClasses();
+
+/// Where a pair stands, and where it stood at the query before: 1 % of the extent and 0.01 rad from there.
+struct PairPoses {
+  dgd_test::PoseNumbers pose_1, last_pose_2, pose_2;
+};
+/// Random orientations, both centres in a cube of 1.4 times the extent: overlaps and gaps are both frequent.
+/// @param extent  Of both sets together, metres.
+PairPoses DrawPoses(dgd_test::Random& random, int dimension, double extent);
 
 }  // namespace dgd_bench

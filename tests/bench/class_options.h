@@ -1,0 +1,37 @@
+// The options that the benchmarks over classes of random pairs have in common.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bench/pair_class.h"
+
+namespace CLI {
+class App;
+}
+
+namespace dgd_bench {
+
+enum ExitStatus { kSuccess = 0, kFailedQuery = 1, kBadInput = 2 };
+
+struct ClassOptions {
+  int pairs = 1000;
+  int poses = 100;
+  std::uint64_t seed = 1;
+  std::vector<std::string> classes;  ///< Empty for all.
+  std::string meshes;                ///< Folder; empty for generated ones.
+
+  bool Wants(const PairClass& each) const;
+};
+
+/// Adds --pairs, --poses, --seed, --classes and --meshes, whose defaults `options` holds.
+void AddClassOptions(CLI::App& app, ClassOptions& options);
+
+/// What the classes are, for a program's help.
+std::string ClassesInWords();
+
+/// As the options say. Throws std::runtime_error if a mesh cannot be read.
+Meshes MakeMeshes(const ClassOptions& options, dgd_test::Random& random);
+
+}  // namespace dgd_bench
