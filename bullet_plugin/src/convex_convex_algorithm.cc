@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <exception>
 
+#include "friction_anchors.h"
 #include "manifold_writer.h"
 #include "pair_distance.h"
 #include "pair_impact.h"
@@ -144,7 +145,9 @@ void ConvexConvexAlgorithm::WriteContacts(const dgd::ContactPatch<double>& patch
       manifold_->setContactBreakingThreshold(separation * kSlack);
     }
   }
+  const FrictionAnchors anchors(*manifold_);
   WritePatch(patch, normal, output);
+  if (narrowphase_.options().friction_anchors) anchors.Restore(*manifold_);
   output.refreshContactPoints();
   OrderByImpulse(*manifold_);
   manifold_->setContactBreakingThreshold(breaking_threshold);
