@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <optional>
 
 #include "friction_anchors.h"
 #include "manifold_writer.h"
@@ -134,7 +135,8 @@ void ConvexConvexAlgorithm::WriteContacts(const dgd::ContactPatch<double>& patch
     WritePatch(patch, normal, output);
     return;
   }
-  if (narrowphase_.options().contact_patch) DropStalePoints(*manifold_, patch);
+  const Options& options = narrowphase_.options();
+  if (options.contact_patch) DropStalePoints(*manifold_, patch);
   // Bullet refuses points beyond the breaking threshold: speculative ones need it raised until they have passed.
   const btScalar breaking_threshold = manifold_->getContactBreakingThreshold();
   for (int i = 0; i < patch.size; ++i) {
@@ -145,9 +147,10 @@ void ConvexConvexAlgorithm::WriteContacts(const dgd::ContactPatch<double>& patch
       manifold_->setContactBreakingThreshold(separation * kSlack);
     }
   }
-  const FrictionAnchors anchors(*manifold_);
+  std::optional<FrictionAnchors> anchors;
+  if (options.friction_anchors && options.contact_patch) anchors.emplace(*manifold_);
   WritePatch(patch, normal, output);
-  if (narrowphase_.options().friction_anchors) anchors.Restore(*manifold_);
+  if (anchors) anchors->Restore(*manifold_);
   output.refreshContactPoints();
   OrderByImpulse(*manifold_);
   manifold_->setContactBreakingThreshold(breaking_threshold);

@@ -7,15 +7,15 @@
 // have slipped since: a rolling body slips by nothing.
 #pragma once
 
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <LinearMath/btVector3.h>
 
 #include <array>
 
-class btPersistentManifold;
-
 namespace dgd_bullet {
 
-/// The contact points of a manifold that this pair owns, from before a patch is handed over until after.
+/// The contact points of a manifold that this pair owns, from before a patch is handed over until after. For whole
+/// patches only: the world positions of points that no patch has written in this step are the last step's.
 class FrictionAnchors {
  public:
   explicit FrictionAnchors(const btPersistentManifold& manifold);
@@ -33,7 +33,7 @@ class FrictionAnchors {
     bool sticks;
   };
 
-  std::array<Anchor, 4> anchors_;
+  std::array<Anchor, MANIFOLD_CACHE_SIZE> anchors_;
   int size_;
 };
 

@@ -27,8 +27,8 @@ struct Doubles {
   }
   // The greatest lane in all lanes.
   static Vector Top(Vector a) {
-    a = _mm256_max_pd(a, _mm256_permute2f128_pd(a, a, 1));
-    return _mm256_max_pd(a, _mm256_permute_pd(a, 5));
+    a = _mm256_max_pd(a, _mm256_permute2f128_pd(a, a, 1));  // Halves change places.
+    return _mm256_max_pd(a, _mm256_permute_pd(a, 0b0101));  // Neighbours change places.
   }
 };
 
@@ -50,9 +50,9 @@ struct Floats {
     return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_EQ_OQ)));
   }
   static Vector Top(Vector a) {
-    a = _mm256_max_ps(a, _mm256_permute2f128_ps(a, a, 1));
-    a = _mm256_max_ps(a, _mm256_permute_ps(a, 0x4e));
-    return _mm256_max_ps(a, _mm256_permute_ps(a, 0xb1));
+    a = _mm256_max_ps(a, _mm256_permute2f128_ps(a, a, 1));         // Halves change places,
+    a = _mm256_max_ps(a, _mm256_permute_ps(a, 0b01'00'11'10));     // Pairs change places,
+    return _mm256_max_ps(a, _mm256_permute_ps(a, 0b10'11'00'01));  // then neighbours.
   }
 };
 

@@ -6,17 +6,11 @@
 #include <variant>
 #include <vector>
 
+#include "bench/exit_status.h"
 #include "bench/hull_pair.h"
 #include "bench/measurement.h"
 
 namespace dgd_bench {
-
-/// Exit statuses, as --help lists them.
-enum ExitStatus {
-  kSuccess = 0,
-  kFailedQuery = 1,  ///< A growth distance in double was not optimal, or a yes/no was wrong.
-  kBadInput = 2,     ///< Command line; or the output cannot be written.
-};
 
 struct BenchOptions {
   int pairs = 2000;  ///< Of each class and margin.

@@ -13,8 +13,6 @@ class App;
 
 namespace dgd_bench {
 
-enum ExitStatus { kSuccess = 0, kFailedQuery = 1, kBadInput = 2 };
-
 struct ClassOptions {
   int pairs = 1000;
   int poses = 100;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bench/percentile.h"
 #include "bench/stopwatch.h"
 #include "support/pairs/random_pair.h"
 
@@ -14,6 +15,7 @@ using dgd_test::Random;
 using dgd_test::Which;
 
 constexpr int kTimeRepeats = 3;
+
 /// One pair in one pose, asked in one way.
 template <int L>
 void Ask(AnyPair<double, L>& pair, const IterationVariant& variant, const dgd::WarmStart<double, L>& start,
@@ -31,12 +33,6 @@ void Ask(AnyPair<double, L>& pair, const IterationVariant& variant, const dgd::W
   if (result.status != dgd::Status::kOptimal) ++tally.non_optimal;
   tally.relative_gap.Take(certificate.relative_gap, index);
   tally.primal_infeasibility.Take(certificate.primal_infeasibility / size, index);
-}
-
-double Median(std::vector<double>& figures) {
-  const auto middle = figures.begin() + static_cast<std::ptrdiff_t>(figures.size() / 2);
-  std::nth_element(figures.begin(), middle, figures.end());
-  return *middle;
 }
 
 template <int L>
@@ -69,7 +65,10 @@ std::vector<IterationRow> Count(const PairClass& pair_class, const Meshes& meshe
     }
     progress(static_cast<double>(i + 1) / pairs);
   }
-  for (std::size_t v = 0; v < rows.size(); ++v) rows[v].microseconds_p50 = Median(times[v]);
+  for (std::size_t v = 0; v < rows.size(); ++v) {
+    std::ranges::sort(times[v]);
+    rows[v].microseconds_p50 = Percentile(times[v], 0.5);
+  }
   return rows;
 }
 

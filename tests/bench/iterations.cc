@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/class_options.h"
+#include "bench/exit_status.h"
 #include "bench/iteration_count.h"
 #include "program_main.h"
 #include "report/progress_bar.h"

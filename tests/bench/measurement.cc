@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "bench/percentile.h"
+
 namespace dgd_bench {
 namespace {
 
@@ -18,13 +20,6 @@ std::vector<double> Sorted(const Block& block, std::size_t method, Figure figure
   }
   std::ranges::sort(figures);
   return figures;
-}
-
-// The least figure that `share` of all do not exceed.
-double Percentile(const std::vector<double>& sorted, double share) {
-  if (sorted.empty()) return kNone;
-  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
-  return sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1];
 }
 
 double Largest(const std::vector<double>& sorted) { return Percentile(sorted, 1); }

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <iostream>
 #include <limits>
@@ -12,9 +12,12 @@
 #include <vector>
 
 #include "bench/class_options.h"
+#include "bench/exit_status.h"
+#include "bench/percentile.h"
 #include "bench/speed_pair.h"
 #include "program_main.h"
 #include "report/progress_bar.h"
+#include "support/pairs/tally.h"
 
 namespace dgd_bench {
 namespace {
@@ -84,22 +87,16 @@ constexpr std::array<const char*, kSpeedMethodCount> kTitles = {
 struct Row {
   std::vector<double> microseconds;
   double iterations = 0;  // Of all.
-  double relative_gap = 0, primal_infeasibility = 0;
+  dgd_test::Worst relative_gap, primal_infeasibility;
   int failures = 0;
 
   void Take(double time, const SpeedAnswer& answer) {
     microseconds.push_back(time);
     iterations += answer.iterations;
-    relative_gap = std::max(answer.relative_gap, relative_gap);  // In this order, NaN stays.
-    primal_infeasibility = std::max(answer.primal_infeasibility, primal_infeasibility);
+    const auto index = static_cast<std::int64_t>(microseconds.size());
+    relative_gap.Take(answer.relative_gap, index);
+    primal_infeasibility.Take(answer.primal_infeasibility, index);
     if (answer.is_failure) ++failures;
-  }
-
-  /// Of sorted times.
-  double Percentile(double share) const {
-    const auto count = static_cast<double>(microseconds.size());
-    const auto rank = static_cast<std::size_t>(std::max(1.0, std::ceil(share * count)));
-    return microseconds[rank - 1];
   }
 };
 using Rows = std::array<Row, kSpeedMethodCount>;
@@ -143,18 +140,18 @@ void Print(const PairClass& each, const Rows& rows) {
   for (std::size_t m = 0; m < rows.size(); ++m) {
     const Row& row = rows[m];
     const bool is_plain = m % 2 == 1, is_check = m >= static_cast<std::size_t>(SpeedMethod::kCheck);
-    std::printf("  %-24s%9.3f%9.3f%9.3f", kTitles[m], row.Percentile(0.5), row.Percentile(0.99),
-                row.Percentile(0.9999));
+    std::printf("  %-24s%9.3f%9.3f%9.3f", kTitles[m], Percentile(row.microseconds, 0.5),
+                Percentile(row.microseconds, 0.99), Percentile(row.microseconds, 0.9999));
     if (is_plain) {
       std::printf("%10s", "");
     } else {
-      std::printf("%10.2f", row.Percentile(0.5) / rows[m + 1].Percentile(0.5));
+      std::printf("%10.2f", Percentile(row.microseconds, 0.5) / Percentile(rows[m + 1].microseconds, 0.5));
     }
     if (is_check) {
       std::printf("%8s%10s%10s", "", "", "");
     } else {
-      std::printf("%8.2f%10.1e%10.1e", row.iterations / static_cast<double>(row.microseconds.size()), row.relative_gap,
-                  row.primal_infeasibility);
+      std::printf("%8.2f%10.1e%10.1e", row.iterations / static_cast<double>(row.microseconds.size()),
+                  row.relative_gap.figure, row.primal_infeasibility.figure);
     }
     std::printf("%10d\n", row.failures);
   }

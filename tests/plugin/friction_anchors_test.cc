@@ -121,5 +121,38 @@ TEST_F(FrictionAnchors, BoxOnMovingPlatform_RidesAlong) {
   EXPECT_NEAR(double(box.getWorldTransform().getOrigin().x()), 0.2 * (1 - std::cos(time)), 5e-3);
 }
 
+constexpr double kBeltSpeed = 0.5;  // m/s
+
+// As Bullet's users make conveyor belts: the contact's surface moves, the body does not.
+bool MakeBelt(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int, const btCollisionObjectWrapper*, int,
+              int) {
+  point.m_contactPointFlags |= BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED;
+  point.m_lateralFrictionDir1 = Vec(1, 0, 0);
+  point.m_lateralFrictionDir2 = Vec(0, 1, 0);
+  point.m_contactMotion1 = btScalar(kBeltSpeed);
+  return true;
+}
+
+TEST_F(FrictionAnchors, BoxOnBelt_IsCarriedAsFarAsWithout) {
+  const ContactAddedCallback before = gContactAddedCallback;
+  gContactAddedCallback = MakeBelt;
+  double way[2];
+  for (const bool anchors : {true, false}) {
+    TestWorld world(Route::kConfiguration, With(anchors));
+    UseTwoFrictionDirections(world);
+    world.world().getSolverInfo().m_solverMode |= SOLVER_ENABLE_FRICTION_DIRECTION_CACHING;
+    btRigidBody& ground = world.AddGround();
+    ground.setCollisionFlags(ground.getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+    btRigidBody& box = world.Add(world.Make<btBoxShape>(Vec(0.25, 0.25, 0.25)), 1, Vec(0, 0, 0.25));
+    box.setActivationState(DISABLE_DEACTIVATION);
+    world.Simulate(3);
+    way[anchors ? 0 : 1] = std::abs(double(box.getWorldTransform().getOrigin().x()));
+  }
+  gContactAddedCallback = before;
+  // Friction 0.25 g brings it to the belt's speed within 0.2 s and 5 cm.
+  EXPECT_NEAR(way[0], 3 * kBeltSpeed - 0.05, 0.01);
+  EXPECT_NEAR(way[0], way[1], 0.001);
+}
+
 }  // namespace
 }  // namespace dgd_test

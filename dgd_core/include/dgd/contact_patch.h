@@ -215,8 +215,9 @@ Corner<S> WitnessCorner(const SupportingFace<S>& face_1, const SupportingFace<S>
   return {0, 0, -separation / 2, separation / 2};
 }
 
-/// Keeps up to `max_points` corners that span the patch: the deepest, the farthest from it, and one on either side of
-/// the line between the two that spans most area. Corners nearer than `spacing` to a kept one are left out.
+/// Keeps up to `max_points` corners that span the patch: the deepest (of equals the first), the farthest from it, and
+/// one on either side of the line between the two that spans most area. Corners nearer than `spacing` to a kept one are
+/// left out.
 template <class S>
 void Reduce(const CornerList<S>& corners, S spacing, int max_points, CornerList<S>& kept) {
   const auto distance_sq = [](const Corner<S>& a, const Corner<S>& b) {
@@ -226,7 +227,8 @@ void Reduce(const CornerList<S>& corners, S spacing, int max_points, CornerList<
   for (int i = 1; i < corners.size; ++i) {
     if (corners[i].Separation() < corners[deepest].Separation()) deepest = i;
   }
-  // Of equals the first: the last digits must not choose another corner, and with it other three, in every step.
+  // The last digits must not choose another corner, and with it other three, in every step. Much deeper ones must be
+  // chosen: with ten times this, towers sway and piles creep (demos/contact_report).
   constexpr S kEqual = S(1e-5);
   const S as_deep = corners[deepest].Separation() + kEqual * spacing;
   for (deepest = 0; !(corners[deepest].Separation() <= as_deep);) ++deepest;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "support/extent.h"
 #include "support/pairs/make_set.h"
 
 namespace dgd_test {
@@ -10,17 +11,6 @@ namespace {
 template <class S, int L>
 dgd::Pose<S, L> PoseFrom(const PoseNumbers& pose) {
   return {pose.rotation.topLeftCorner<L, L>().template cast<S>(), pose.translation.head<L>().template cast<S>()};
-}
-
-template <class Set>
-double Extent(const Set& set) {
-  constexpr int L = dgd::kDimension<typename Set::Core>;
-  dgd::Vector<double, L> diagonal;
-  for (int axis = 0; axis < L; ++axis) {
-    const auto up = dgd::VectorOf<typename Set::Core>::Unit(axis);
-    diagonal[axis] = double(set.core.Support(up).point[axis] - set.core.Support(-up).point[axis]);
-  }
-  return diagonal.norm() + 2 * double(set.radius);
 }
 
 }  // namespace
@@ -117,7 +107,7 @@ double AnyPair<S, L>::Inradii() const {
 
 template <class S, int L>
 double AnyPair<S, L>::Extent() const {
-  const auto extent = [](const auto& set) { return dgd_test::Extent(set); };
+  const auto extent = [](const auto& set) { return dgd_test::Extent(set.core, double(set.radius)); };
   return std::max(std::visit(extent, set_1_), std::visit(extent, set_2_));
 }
 

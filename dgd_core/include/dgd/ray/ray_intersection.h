@@ -110,6 +110,7 @@ class RayIntersection {
       } else {
         normal = NextNormal(last_outer, last_inner);
       }
+      // Polytopes know no other normal than the inner approximation's, whose direction is there before its length.
       direction = Difference::kIsPolytope ? inner_.Direction() : normal;
     }
   }

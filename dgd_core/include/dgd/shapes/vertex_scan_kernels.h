@@ -1,5 +1,5 @@
-// The loop of vertex_scan.h for each instruction set. Compiled apart, and from nothing that other translation units
-// instantiate too: a template or inline function compiled for AVX2 must not end up where the processor has none.
+// Internal: the loop of vertex_scan.h for each instruction set. Compiled apart, and from nothing that other translation
+// units instantiate too: a template or inline function compiled for AVX2 must not end up where the processor has none.
 #pragma once
 
 #include <cstddef>
@@ -7,13 +7,15 @@
 
 namespace dgd::vertex_scan {
 
-/// Points per scan step at most, in bytes of one coordinate: the arrays are padded to whole blocks of it.
+/// Bytes of one coordinate that the widest kernel reads in a step: the arrays are padded to a multiple.
 inline constexpr std::size_t kBlockBytes = 64;
 
 /// Index of the point with the greatest x * direction_x + y * direction_y + z * direction_z, summed in this order, each
 /// operation rounded; the first one of several. 0 where no height is a number. All kernels give the same answer.
 /// @param coordinates  Three arrays one after the other, of `padded` scalars each; no alignment needed.
-/// @param padded       A multiple of kBlockBytes / sizeof(scalar), > 0.
+/// @param padded       A multiple of kBlockBytes / sizeof(scalar), > 0; below 2^24 in float, which counts blocks
+/// exactly
+///                     up to there.
 template <class S>
 using Kernel = std::uint32_t (*)(const S* coordinates, std::size_t padded, S x, S y, S z);
 
