@@ -11,8 +11,8 @@ namespace dgd_bench {
 namespace {
 
 constexpr const char* kDescription =
-    R"(Times the growth distance against Bullet's GJK/EPA on the same random pairs of hulls, and says
-what the answers are worth. hull_pairs runs Bullet in float, hull_pairs_float64 in double.)";
+    R"(Times the growth distance against Bullet's GJK/EPA, FCL's, which is libccd's, and the paper's algorithm
+as printed, on the same random pairs of hulls, and says what the answers are worth. hull_pairs runs Bullet in float, hull_pairs_float64 in double.)";
 
 constexpr const char* kFooter = R"(
 Examples:

@@ -4,38 +4,55 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
+#include <string_view>
 
 namespace dgd_bench {
 namespace {
 
 constexpr std::size_t kTitleWidth = 34;
-constexpr std::size_t kBullet = 0;  // Indices of kMethods.
-constexpr std::size_t kGrowthDistance = 1;
+
+// Of kMethods.
+constexpr std::size_t IndexOf(std::string_view key) {
+  for (std::size_t m = 0; m < kMethods.size(); ++m) {
+    if (key == kMethods[m].key) return m;
+  }
+  throw std::logic_error("no such method");
+}
+constexpr std::size_t kBullet = IndexOf("bullet_gjk_epa");
+constexpr std::size_t kPlain = IndexOf("plain");
+constexpr std::size_t kGrowthDistance = IndexOf("growth_distance");
+
+// What the ratios are to.
+struct Peers {
+  Summary bullet, plain;
+};
 
 struct Column {
   const char* heading;  // Of this and the columns up to the next heading.
   const char* title;
   std::size_t width;
   const char* format;
-  double (*figure)(const Summary& summary, const Summary& bullet);
+  double (*figure)(const Summary& summary, const Peers& peers);
 };
 
 using S = Summary;
 
 // The one list of columns.
 constexpr std::array kColumns = {
-    Column{"time (us)", "p50", 9, "%.3f", [](const S& s, const S&) { return s.p50; }},
-    Column{"", "p99", 9, "%.3f", [](const S& s, const S&) { return s.p99; }},
-    Column{"", "p99.99", 9, "%.3f", [](const S& s, const S&) { return s.p9999; }},
-    Column{"", "max", 9, "%.3f", [](const S& s, const S&) { return s.slowest; }},
-    Column{"to Bullet", "p50", 12, "%.3f", [](const S& s, const S& bullet) { return s.p50 / bullet.p50; }},
-    Column{"steps", "mean", 8, "%.1f", [](const S& s, const S&) { return s.mean_iterations; }},
-    Column{"normal error (m)", "p99", 11, "%.1e", [](const S& s, const S&) { return s.normal_error_p99; }},
-    Column{"", "max", 10, "%.1e", [](const S& s, const S&) { return s.normal_error_max; }},
-    Column{"rel. gap", "max", 10, "%.1e", [](const S& s, const S&) { return s.relative_gap_max; }},
-    Column{"infeas. (m)", "max", 13, "%.1e", [](const S& s, const S&) { return s.primal_infeasibility_max; }},
-    Column{"no answer", "pairs", 12, "%.0f", [](const S& s, const S&) { return s.missing; }},
-    Column{"failures", "pairs", 10, "%.0f", [](const S& s, const S&) { return s.failures; }},
+    Column{"time (us)", "p50", 9, "%.3f", [](const S& s, const Peers&) { return s.p50; }},
+    Column{"", "p99", 9, "%.3f", [](const S& s, const Peers&) { return s.p99; }},
+    Column{"", "p99.99", 9, "%.3f", [](const S& s, const Peers&) { return s.p9999; }},
+    Column{"", "max", 9, "%.3f", [](const S& s, const Peers&) { return s.slowest; }},
+    Column{"to Bullet", "p50", 12, "%.3f", [](const S& s, const Peers& to) { return s.p50 / to.bullet.p50; }},
+    Column{"to plain", "p50", 10, "%.3f", [](const S& s, const Peers& to) { return s.p50 / to.plain.p50; }},
+    Column{"steps", "mean", 8, "%.1f", [](const S& s, const Peers&) { return s.mean_iterations; }},
+    Column{"normal error (m)", "p99", 11, "%.1e", [](const S& s, const Peers&) { return s.normal_error_p99; }},
+    Column{"", "max", 10, "%.1e", [](const S& s, const Peers&) { return s.normal_error_max; }},
+    Column{"rel. gap", "max", 10, "%.1e", [](const S& s, const Peers&) { return s.relative_gap_max; }},
+    Column{"infeas. (m)", "max", 13, "%.1e", [](const S& s, const Peers&) { return s.primal_infeasibility_max; }},
+    Column{"no answer", "pairs", 12, "%.0f", [](const S& s, const Peers&) { return s.missing; }},
+    Column{"failures", "pairs", 10, "%.0f", [](const S& s, const Peers&) { return s.failures; }},
 };
 
 std::string Format(const char* format, double number) {
@@ -73,10 +90,10 @@ std::string TitleLine() {
   return line + '\n';
 }
 
-std::string MethodLine(const char* title, const Summary& summary, const Summary& bullet) {
+std::string MethodLine(const char* title, const Summary& summary, const Peers& peers) {
   std::string line = Left(std::string("  ") + title, kTitleWidth);
   for (const Column& column : kColumns) {
-    line += Right(Format(column.format, column.figure(summary, bullet)), column.width);
+    line += Right(Format(column.format, column.figure(summary, peers)), column.width);
   }
   return line + '\n';
 }
@@ -87,9 +104,9 @@ std::string FormatTable(const std::vector<Block>& blocks) {
   std::string table = HeadingLine() + TitleLine();
   for (const Block& block : blocks) {
     table += std::string(block.distance_class->title) + '\n';
-    const Summary bullet = Summarize(block, kBullet);
+    const Peers peers{Summarize(block, kBullet), Summarize(block, kPlain)};
     for (std::size_t m = 0; m < kMethods.size(); ++m) {
-      table += MethodLine(kMethods[m].title, Summarize(block, m), bullet);
+      table += MethodLine(kMethods[m].title, Summarize(block, m), peers);
     }
   }
   return table;
@@ -109,6 +126,7 @@ std::string FormatVerdict(const std::vector<Block>& blocks) {
 
 std::string TableFooter() {
   return R"(to Bullet     p50 over that of Bullet's row in the same class
+to plain      p50 over that of the paper's algorithm as printed (tests/bench/textbook)
 steps         evaluations of the support functions
 normal error  signed distance (exact, by separating axes) less the separation along the returned normal.
               GJK/EPA seeks the normal for which it vanishes. The growth distance does not: its normal is

@@ -38,7 +38,8 @@ Classes:  curved: sphere, capsule, box, cylinder, cone, frustum, ellipsoid, one 
           box, every size log-uniform from 0.25 to 25 cm. rounded-hulls, sharp-hulls: 8 to 20
           vertices, 1 m across, margin 4 cm or none. meshes: hulls of 241 to 4516 points on ellipsoids
           of aspect ratio 10; dsf: differentiable support functions of 4 to 30 points; of these two,
-          fewer pairs in more poses. 2d: circle, stadium, rectangle, ellipse, polygon.
+          fewer pairs in more poses. 2d: circle, stadium, rectangle, ellipse, polygon. vertices-8 to
+          vertices-4096: hulls of so many points on a sphere 1 m across, the same solver type for all.
 Poses:    random orientations, both centres in a cube of 1.4 times the pair's extent.
 )";
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "bench/stopwatch.h"
+#include "bench/textbook/plain_algorithm.h"
 #include "dgd/certificate.h"
 #include "dgd/growth_distance.h"
 #include "dgd/shapes/polytope.h"
@@ -82,6 +83,22 @@ class WarmQuery : public SolverQuery<double> {
   dgd::WarmStart<double> last_;
 };
 
+/// The yardstick.
+class PlainQuery : public SolverQuery<double> {
+ public:
+  explicit PlainQuery(const HullPair& pair) : SolverQuery(pair) {}
+
+  double Time(int repeats) const override {
+    return MeanMicroseconds(repeats, [this] { Keep(Ask()); });
+  }
+  Judgement Judge(const HullPair& pair) const override { return JudgeDistance(pair, Ask()); }
+
+ private:
+  dgd::Result<double> Ask() const { return PlainGrowthDistance(plain_1_, pose_1_, plain_2_, pose_2_); }
+
+  const SupportFunctionOf<Set::Core> plain_1_{set_1_}, plain_2_{set_2_};
+};
+
 /// The growth distance, and from there to the least translation or the distance.
 class SignedDistanceQuery : public SolverQuery<double> {
  public:
@@ -156,6 +173,7 @@ std::unique_ptr<Query> MakeWarmQuery(const HullPair& pair) { return std::make_un
 std::unique_ptr<Query> MakeSignedDistanceQuery(const HullPair& pair) {
   return std::make_unique<SignedDistanceQuery>(pair);
 }
+std::unique_ptr<Query> MakePlainQuery(const HullPair& pair) { return std::make_unique<PlainQuery>(pair); }
 std::unique_ptr<Query> MakeCollisionQuery(const HullPair& pair) { return std::make_unique<CollisionQuery>(pair); }
 
 }  // namespace dgd_bench

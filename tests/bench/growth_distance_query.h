@@ -11,6 +11,8 @@ std::unique_ptr<Query> MakeColdFloatQuery(const HullPair& pair);
 std::unique_ptr<Query> MakeWarmQuery(const HullPair& pair);
 /// And from there to the signed distance, cold.
 std::unique_ptr<Query> MakeSignedDistanceQuery(const HullPair& pair);
+/// The paper's algorithm as printed (bench/textbook/), cold.
+std::unique_ptr<Query> MakePlainQuery(const HullPair& pair);
 /// Collision yes or no, cold.
 std::unique_ptr<Query> MakeCollisionQuery(const HullPair& pair);
 

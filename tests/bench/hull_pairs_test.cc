@@ -22,8 +22,9 @@ TEST_P(HullPairsTest, FewPairs_TableHoldsEveryRowAndNoQueryFails) {
     EXPECT_EQ(Count(outcome.output, std::string("\n") + distance_class), 2) << distance_class << '\n' << outcome.output;
   }
   for (const char* method :
-       {"Bullet GJK/EPA, cold  ", "growth distance, double, cold  ", "growth distance, double, warm  ",
-        "growth distance, float, cold  ", "signed distance, double, cold  ", "collision yes/no, double, cold  "}) {
+       {"Bullet GJK/EPA, cold  ", "FCL (libccd), cold  ", "paper's algorithm, plain, cold  ",
+        "growth distance, double, cold  ", "growth distance, double, warm  ", "growth distance, float, cold  ",
+        "signed distance, double, cold  ", "collision yes/no, double, cold  "}) {
     EXPECT_EQ(Count(outcome.output, method), 10) << method << '\n' << outcome.output;
   }
 }

@@ -19,7 +19,9 @@ Outcome RunIterations(const std::string& arguments) {
 TEST(IterationsTest, FewPairs_TableHoldsEveryClassAndRow) {
   const Outcome outcome = RunIterations("--pairs 20 --poses 5");
   EXPECT_EQ(outcome.status, 0) << outcome.output;
-  constexpr const char* kClasses[] = {"curved", "rounded-hulls", "sharp-hulls", "meshes", "dsf", "2d"};
+  constexpr const char* kClasses[] = {
+      "curved",     "rounded-hulls", "sharp-hulls",  "meshes",       "dsf",           "2d",
+      "vertices-8", "vertices-32",   "vertices-128", "vertices-512", "vertices-2048", "vertices-4096"};
   for (const char* each : kClasses) {
     EXPECT_EQ(Count(outcome.output, std::string("\n") + each + ": "), 1) << each << '\n' << outcome.output;
   }

@@ -81,6 +81,19 @@ PairNumbers DrawOf(Random& random, const std::array<SetType, count>& types) {
   return PairOf(std::move(set_1), draw());
 }
 
+/// Round hulls, sharp, all points of which are vertices.
+template <int count>
+PairNumbers DrawRound(Random& random, const Meshes&) {
+  const auto draw = [&] {
+    SetNumbers set;
+    set.type = SetType::kPolytope;
+    for (int i = 0; i < count; ++i) set.points.push_back(kHullDiameter / 2 * random.UnitVector());
+    return set;
+  };
+  SetNumbers set_1 = draw();
+  return PairOf(std::move(set_1), draw());
+}
+
 constexpr double kMotion = 0.01;
 constexpr double kReach = 0.7;
 
@@ -138,6 +151,12 @@ const std::vector<PairClass>& AllPairClasses() {
          return DrawOf(random, std::array{SetType::kCircle, SetType::kStadium, SetType::kRectangle, SetType::kEllipse,
                                           SetType::kPolygon});
        }},
+      {"vertices-8", "hulls of 8 points on a sphere", 3, 1, DrawRound<8>, 8},
+      {"vertices-32", "hulls of 32 points on a sphere", 3, 1, DrawRound<32>, 32},
+      {"vertices-128", "hulls of 128 points on a sphere", 3, 10, DrawRound<128>, 128},
+      {"vertices-512", "hulls of 512 points on a sphere", 3, 20, DrawRound<512>, 512},
+      {"vertices-2048", "hulls of 2048 points on a sphere", 3, 50, DrawRound<2048>, 2048},
+      {"vertices-4096", "hulls of 4096 points on a sphere", 3, 50, DrawRound<4096>, 4096},
   };
   return classes;
 }

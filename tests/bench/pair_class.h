@@ -28,6 +28,7 @@ struct PairClass {
   int poses_factor;
   /// The sets; the poses are not theirs to draw.
   dgd_test::PairNumbers (*draw_sets)(dgd_test::Random& random, const Meshes& meshes);
+  int vertices = 0;  ///< Of each set, in the classes that differ in nothing else; 0 for the others.
 };
 
 const std::vector<PairClass>& AllPairClasses();

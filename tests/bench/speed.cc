@@ -3,11 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <iostream>
 #include <limits>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -158,6 +160,28 @@ void Print(const PairClass& each, const Rows& rows) {
   std::fflush(stdout);
 }
 
+/// The exponent of a power of the vertex count, from the first class to the last.
+double Growth(const PairClass& first, const Rows& rows_first, const PairClass& last, const Rows& rows_last,
+              SpeedMethod method) {
+  const auto p50 = [&](const Rows& rows) {
+    return Percentile(rows[static_cast<std::size_t>(method)].microseconds, 0.5);
+  };
+  return std::log(p50(rows_last) / p50(rows_first)) / std::log(double(last.vertices) / first.vertices);
+}
+
+/// Time against vertex count, of the classes that differ in nothing else.
+void PrintGrowth(const std::vector<std::pair<const PairClass*, Rows>>& measured) {
+  if (measured.size() < 2) return;
+  const auto& [first, rows_first] = measured.front();
+  const auto& [last, rows_last] = measured.back();
+  const auto growth = [&](SpeedMethod method) { return Growth(*first, rows_first, *last, rows_last, method); };
+  std::printf("From %d to %d vertices, times grow as n to the power of: cold %.2f, warm %.2f, collision check %.2f; ",
+              first->vertices, last->vertices, growth(SpeedMethod::kCold), growth(SpeedMethod::kWarm),
+              growth(SpeedMethod::kCheck));
+  std::printf("plain %.2f, %.2f, %.2f\n", growth(SpeedMethod::kPlainCold), growth(SpeedMethod::kPlainWarm),
+              growth(SpeedMethod::kPlainCheck));
+}
+
 ExitStatus Run(const Options& options) {
   dgd_test::Random random(options.seed);
   const Meshes meshes = MakeMeshes(options, random);
@@ -166,15 +190,18 @@ ExitStatus Run(const Options& options) {
   std::printf("%-26s%9s%9s%9s%10s%8s%10s%10s%10s\n", "", "p50", "p99", "p99.99", "to plain", "iter.", "gap", "primal",
               "failures");
   ExitStatus status = kSuccess;
+  std::vector<std::pair<const PairClass*, Rows>> by_vertices;
   for (const PairClass& each : AllPairClasses()) {
     if (!options.Wants(each)) continue;
     const Rows rows =
         each.dimension == 2 ? MeasureClass<2>(each, meshes, options) : MeasureClass<3>(each, meshes, options);
     Print(each, rows);
+    if (each.vertices > 0) by_vertices.emplace_back(&each, rows);
     for (std::size_t m = 0; m < rows.size(); m += 2) {
       if (rows[m].failures > 0) status = kFailedQuery;
     }
   }
+  PrintGrowth(by_vertices);
   return status;
 }
 

@@ -18,7 +18,9 @@ Outcome RunSpeed(const std::string& arguments) { return dgd_test::RunProgram(DGD
 TEST(SpeedTest, FewPairs_TableHoldsEveryClassAndRow) {
   const Outcome outcome = RunSpeed("--pairs 20 --poses 3 --repeats 1 --rounds 1");
   EXPECT_EQ(outcome.status, 0) << outcome.output;
-  constexpr const char* kClasses[] = {"curved", "rounded-hulls", "sharp-hulls", "meshes", "dsf", "2d"};
+  constexpr const char* kClasses[] = {
+      "curved",     "rounded-hulls", "sharp-hulls",  "meshes",       "dsf",           "2d",
+      "vertices-8", "vertices-32",   "vertices-128", "vertices-512", "vertices-2048", "vertices-4096"};
   const int count = static_cast<int>(std::size(kClasses));
   for (const char* each : kClasses) {
     EXPECT_EQ(Count(outcome.output, std::string("\n") + each + ": "), 1) << each << '\n' << outcome.output;
@@ -27,6 +29,7 @@ TEST(SpeedTest, FewPairs_TableHoldsEveryClassAndRow) {
   EXPECT_EQ(Count(outcome.output, "\n  warm "), count);
   EXPECT_EQ(Count(outcome.output, "\n  collision check, cold "), count);
   EXPECT_EQ(Count(outcome.output, "\n    plain "), 3 * count);
+  EXPECT_EQ(Count(outcome.output, "\nFrom 8 to 4096 vertices, times grow as"), 1);
 }
 
 // The yardstick measures something only if it solves the same problem. Its gaps, by the certificate, are below its

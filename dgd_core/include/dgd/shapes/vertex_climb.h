@@ -1,0 +1,142 @@
+// The vertex of a hull farthest along a direction, by a walk along its edges.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "dgd/convex_hull.h"
+#include "dgd/types.h"
+
+namespace dgd {
+
+/// Made once of a solid hull, immutable after.
+template <class S>
+class VertexClimb {
+ public:
+  VertexClimb() = default;
+  /// @param hull  Of dimension 3: the vertices of a flat hull are not in one plane but for rounding, and a walk along
+  ///              its edges may miss the one that sticks out.
+  explicit VertexClimb(const ConvexHull& hull) {
+    for (const Eigen::Vector3d& vertex : hull.vertices) {
+      offsets_.push_back((vertex - hull.center).template cast<S>());
+      plateau_ = std::max(plateau_, kHeightRounding * offsets_.back().template lpNorm<1>());
+    }
+    LinkNeighbours(hull);
+    ChooseStarts();
+  }
+
+  bool IsEmpty() const { return offsets_.empty(); }
+
+  /// A vertex of largest <direction, x>, but for rounding; some vertex if the direction is NaN. @pre !IsEmpty().
+  /// @param hint  A vertex that is likely to be near; any number will do.
+  VertexId Farthest(const Vector3<S>& direction, VertexId hint) const {
+    VertexId vertex = hint < offsets_.size() ? hint : starts_[StartOf(direction)];
+    const S rounding = plateau_ * direction.template lpNorm<Eigen::Infinity>();
+    // Heights are those above the centre: far from the origin, the others' rounding would hide short edges.
+    S height = direction.dot(offsets_[vertex]);
+    // Heights rise strictly, so this ends; for NaN at once.
+    while (Rise(direction, rounding, vertex, height)) {
+    }
+    return vertex;
+  }
+
+ private:
+  /// With its coordinates about the centre, so that a step of the walk reads one stretch of memory.
+  struct Neighbour {
+    Vector3<S> offset;
+    VertexId vertex;
+  };
+
+  /// Heights differ for certain by more than this part of the largest offset.
+  static constexpr S kHeightRounding = 4 * std::numeric_limits<S>::epsilon();
+  /// Vertices of a plateau that are looked at, at most.
+  static constexpr int kMaxPlateau = 32;
+
+  /// Directions of {-1, 0, 1}^3; the middle one stands for none.
+  static constexpr std::size_t kStarts = 27;
+
+  static std::size_t StartOf(const Vector3<S>& direction) {
+    // Parts below tan(pi / 8) of the largest count as 0.
+    const S limit = S(0.41421356) * direction.cwiseAbs().maxCoeff();
+    const auto sign = [&](int axis) { return 1 + (direction[axis] > limit) - (direction[axis] < -limit); };
+    return static_cast<std::size_t>(9 * sign(0) + 3 * sign(1) + sign(2));
+  }
+
+  /// Goes on to a higher vertex, if one is next to this one, or to a vertex that is as high but for rounding: at short
+  /// edges, the way up may lead over their other ends.
+  bool Rise(const Vector3<S>& direction, S rounding, VertexId& vertex, S& height) const {
+    std::array<VertexId, kMaxPlateau> plateau;
+    plateau[0] = vertex;
+    int size = 1;
+    bool rises = false;
+    for (int i = 0; i < size && !rises; ++i) {
+      const VertexId from = plateau[static_cast<std::size_t>(i)];
+      const Neighbour* end = neighbours_.data() + start_[from + 1];
+      for (const Neighbour* neighbour = neighbours_.data() + start_[from]; neighbour != end; ++neighbour) {
+        const S candidate = direction.dot(neighbour->offset);
+        if (candidate > height) {
+          height = candidate;
+          vertex = neighbour->vertex;
+          rises = true;
+        } else if (!rises && candidate >= height - rounding && size < kMaxPlateau &&
+                   std::find(plateau.begin(), plateau.begin() + size, neighbour->vertex) == plateau.begin() + size) {
+          plateau[static_cast<std::size_t>(size++)] = neighbour->vertex;
+        }
+      }
+    }
+    return rises;
+  }
+
+  /// Joins each vertex to those 1, 2, 4, ... places further around each of its facets. The first are the edges, along
+  /// which a walk finds the top of an exact polytope. The others are for merged facets, where many short edges differ
+  /// in height by rounding only and could end the walk far from the top; and they cross a large facet in few steps.
+  void LinkNeighbours(const ConvexHull& hull) {
+    std::vector<std::vector<VertexId>> links(offsets_.size());
+    const auto link = [&](VertexId a, VertexId b) {
+      if (a == b) return;
+      links[a].push_back(b);
+      links[b].push_back(a);
+    };
+    for (std::size_t facet = 0; facet < hull.normals.size(); ++facet) {
+      const auto begin = static_cast<std::size_t>(hull.facet_start[facet]);
+      const std::size_t count = static_cast<std::size_t>(hull.facet_start[facet + 1]) - begin;
+      for (std::size_t stride = 1; 2 * stride <= count || stride == 1; stride *= 2) {
+        for (std::size_t i = 0; i < count; ++i) {
+          link(hull.facet_vertices[begin + i], hull.facet_vertices[begin + (i + stride) % count]);
+        }
+      }
+    }
+    start_.push_back(0);
+    for (std::vector<VertexId>& ends : links) {
+      std::sort(ends.begin(), ends.end());
+      ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+      for (const VertexId end : ends) neighbours_.push_back({offsets_[end], end});
+      start_.push_back(neighbours_.size());
+    }
+  }
+
+  /// By a scan, once.
+  void ChooseStarts() {
+    for (std::size_t i = 0; i < kStarts; ++i) {
+      const Vector3<S> direction(S(i / 9) - 1, S(i / 3 % 3) - 1, S(i % 3) - 1);
+      S highest = -std::numeric_limits<S>::infinity();
+      for (VertexId vertex = 0; vertex < offsets_.size(); ++vertex) {
+        const S height = direction.dot(offsets_[vertex]);
+        if (!(height > highest)) continue;
+        highest = height;
+        starts_[i] = vertex;
+      }
+    }
+  }
+
+  std::vector<Vector3<S>> offsets_;  // The vertices from the centre.
+  S plateau_ = 0;                    // Rounding of the heights, for a direction of unit size; metres.
+  std::vector<std::size_t> start_;   // Vertex -> its neighbours, as in ConvexHull.
+  std::vector<Neighbour> neighbours_;
+  std::array<VertexId, kStarts> starts_{};
+};
+
+}  // namespace dgd
