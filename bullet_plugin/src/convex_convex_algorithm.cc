@@ -135,6 +135,7 @@ void ConvexConvexAlgorithm::WriteContacts(const dgd::ContactPatch<double>& patch
     WritePatch(patch, normal, output);
     return;
   }
+  if (patch.size == 0 && manifold_->getNumContacts() == 0) return;  // As most pairs of a broadphase, step after step.
   const Options& options = narrowphase_.options();
   if (options.contact_patch) DropStalePoints(*manifold_, patch);
   // Bullet refuses points beyond the breaking threshold: speculative ones need it raised until they have passed.

@@ -22,14 +22,14 @@ double Reach(const btCollisionObject& object, const Vector3& center) {
 
 }  // namespace
 
-PairMotion::Twist PairMotion::Read(const btCollisionObject& object) {
+void PairMotion::Read(const btCollisionObject& object, Twist& twist) {
   const btRigidBody* body = btRigidBody::upcast(&object);
-  if (body == nullptr || body->isStaticObject()) return {};
+  if (body == nullptr || body->isStaticObject()) return;
+  twist.linear = FromBullet(body->getLinearVelocity());
+  twist.angular = FromBullet(body->getAngularVelocity());
   // The centre of mass is the origin of the world transform.
-  const Twist twist{FromBullet(body->getLinearVelocity()), FromBullet(body->getAngularVelocity()),
-                    FromBullet(body->getWorldTransform().getOrigin())};
+  twist.center = FromBullet(body->getWorldTransform().getOrigin());
   rim_speed_ += twist.angular.norm() * Reach(object, twist.center);
-  return twist;
 }
 
 Pose PairMotion::Twist::Moved(const Pose& pose, double time) const {
@@ -41,8 +41,8 @@ Pose PairMotion::Twist::Moved(const Pose& pose, double time) const {
 
 PairMotion::PairMotion(const btCollisionObject& body_a, const btCollisionObject& body_b, double time_step)
     : time_step_(time_step) {
-  a_ = Read(body_a);
-  b_ = Read(body_b);
+  Read(body_a, a_);
+  Read(body_b, b_);
 }
 
 }  // namespace dgd_bullet

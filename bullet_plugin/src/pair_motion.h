@@ -42,8 +42,8 @@ class PairMotion {
     Vector3 center = Vector3::Zero();   // World, metres.
   };
 
-  /// The twist of a body; adds its farthest point's speed by rotation alone to the rim speed.
-  Twist Read(const btCollisionObject& body);
+  /// Reads the twist of a body, and adds its farthest point's speed by rotation alone to the rim speed.
+  void Read(const btCollisionObject& object, Twist& twist);
 
   Twist a_, b_;
   double time_step_ = 0;

@@ -111,21 +111,23 @@ class Pair {
   };
 
   /// @param distance  Of the centres, of all poses; metres.
-  Pair(double distance, double margin) : margin_(margin), inputs_([&] { return MakeInput(distance); }) {}
+  /// @param settings  Of the query before.
+  Pair(double distance, double margin, const dgd::Settings<double>& settings = {})
+      : margin_(margin), inputs_([&] { return MakeInput(distance, settings); }) {}
 
   Set set_1() const { return {hull_1_, margin_}; }
   Set set_2() const { return {hull_2_, margin_}; }
   Input& Next() { return inputs_.Next(); }
 
  private:
-  Input MakeInput(double distance) {
+  Input MakeInput(double distance, const dgd::Settings<double>& settings) {
     const Pose pose_1{random_.Rotation(), random_.InCube()};
     const Pose pose_2{random_.Rotation(), pose_1.translation + distance * random_.UnitVector()};
     Pose last_2 = pose_2;
     last_2.translation += 0.01 * random_.UnitVector();
     last_2.rotation = Eigen::AngleAxisd(0.01, random_.UnitVector()) * last_2.rotation;
     dgd::WarmStart<double> last;
-    dgd::GrowthDistance(set_1(), pose_1, set_2(), last_2, {}, &last);
+    dgd::GrowthDistance(set_1(), pose_1, set_2(), last_2, settings, &last);
     const auto result = dgd::GrowthDistance(set_1(), pose_1, set_2(), pose_2);
     return {pose_1, pose_2, last, result, dgd::PatchFrame<double>(result)};
   }
@@ -163,9 +165,9 @@ BENCHMARK_CAPTURE(QueryWarm, margin_4_cm, kMargin);
 
 /// As the plugin asks: apart by more than a limit, as the last normal still proves.
 void SeparatedAlongLastNormal(benchmark::State& state) {
-  Pair pair(kApart, 0);
   dgd::Settings<double> settings;
   settings.separation_limit = 0.02;
+  Pair pair(kApart, 0, settings);
   for (auto _ : state) {
     const Pair::Input& in = pair.Next();
     dgd::WarmStart<double> warm_start = in.last;
