@@ -96,15 +96,18 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
   settings.relative_tolerance = options.relative_tolerance;
   settings.max_iterations = options.max_iterations;
   settings.separation_limit = std::max(contact_distance, motion.MaxApproach());
-  dgd::Result<double> result = SolvePair(shape_a, shape_b, settings, warm_start_);
+  dgd::Result<double> result;
+  const bool has_followed = can_follow_ && FollowDistance(shape_a, shape_b, settings, warm_start_, result);
+  if (!has_followed) result = SolvePair(shape_a, shape_b, settings, warm_start_);
+  can_follow_ = has_followed && result.status == dgd::Status::kOptimal;
 
   dgd::ContactPatch<double> patch;
   if (result.status != dgd::Status::kSeparated) {
     if (!IsCertified(result)) return result.status;
     const bool is_near = result.separation <= contact_distance;
     if (is_near || TouchWithinStep(shape_a, shape_b, result, motion)) {
-      if (options.normal_mode == NormalMode::kLeastTranslation) {
-        TurnToLeastTranslation(shape_a, shape_b, settings, warm_start_, result);
+      if (options.normal_mode == NormalMode::kLeastTranslation && !has_followed) {
+        can_follow_ = TurnToLeastTranslation(shape_a, shape_b, settings, warm_start_, result);
       }
       const dgd::PatchSettings<double> of_patch{.contact_distance = contact_distance,
                                                 .spacing = breaking_threshold,

@@ -58,6 +58,7 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   std::shared_ptr<const CachedHull> hull_0_, hull_1_;
   dgd::WarmStart<double> warm_start_;
   bool owns_manifold_ = false;
+  bool can_follow_ = false;  // The warm start is one for FollowDistance().
   const bool speculative_;
 };
 

@@ -9,23 +9,55 @@ namespace {
 /// Of the tolerance.
 constexpr double kLeastGain = 0.1;
 
+void Take(const dgd::SignedDistanceResult<double>& turned, dgd::Result<double>& result) {
+  result.normal = turned.normal;
+  result.separation = turned.separation;
+  result.witness_1 = turned.witness_1;
+  result.witness_2 = turned.witness_2;
+}
+
 }  // namespace
 
-void TurnToLeastTranslation(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Settings<double>& settings,
-                            const dgd::WarmStart<double>& warm_start, dgd::Result<double>& result) {
-  VisitPair(shape_a, shape_b, settings,
-            [&](const auto& set_a, const auto& set_b, const dgd::Settings<double>& for_pair) {
-              const dgd::SignedDistanceResult<double> turned =
-                  dgd::SignedDistance(set_a, shape_a.pose, set_b, shape_b.pose, result, &warm_start, for_pair);
-              // Whatever its status, the separation along a normal is certain. A gain within the rounding of the
-              // shapes is none: it would cost the witness points more.
-              const double size = set_a.core.Inradius() + set_a.radius + set_b.core.Inradius() + set_b.radius;
-              if (!(turned.separation > result.separation + kLeastGain * for_pair.relative_tolerance * size)) return;
-              result.normal = turned.normal;
-              result.separation = turned.separation;
-              result.witness_1 = turned.witness_1;
-              result.witness_2 = turned.witness_2;
-            });
+bool TurnToLeastTranslation(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Settings<double>& settings,
+                            dgd::WarmStart<double>& warm_start, dgd::Result<double>& result) {
+  return VisitPair(
+      shape_a, shape_b, settings,
+      [&]<class SetA, class SetB>(const SetA& set_a, const SetB& set_b, const dgd::Settings<double>& for_pair) {
+        dgd::WarmStart<double> follow;
+        const dgd::SignedDistanceResult<double> turned =
+            dgd::SignedDistance(set_a, shape_a.pose, set_b, shape_b.pose, result, &warm_start, for_pair, &follow);
+        // Whatever its status, the separation along a normal is certain. A gain within the rounding of the shapes is
+        // none: it would cost the witness points more.
+        const double radius = set_a.radius + set_b.radius;
+        const double size = set_a.core.Inradius() + set_b.core.Inradius() + radius;
+        const double negligible = kLeastGain * for_pair.relative_tolerance * size;
+        if (turned.separation > result.separation + negligible) Take(turned, result);
+        if constexpr (dgd::kCanFollow<SetA, SetB>) {
+          if (turned.status != dgd::Status::kOptimal || !(turned.separation + radius > negligible)) return false;
+          warm_start = follow;
+          return true;
+        } else {
+          return false;
+        }
+      });
+}
+
+bool FollowDistance(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Settings<double>& settings,
+                    dgd::WarmStart<double>& warm_start, dgd::Result<double>& result) {
+  return VisitPair(shape_a, shape_b, settings,
+                   [&]<class SetA, class SetB>([[maybe_unused]] const SetA& set_a, [[maybe_unused]] const SetB& set_b,
+                                               [[maybe_unused]] const dgd::Settings<double>& for_pair) {
+                     if constexpr (dgd::kCanFollow<SetA, SetB>) {
+                       const dgd::SignedDistanceResult<double> followed =
+                           dgd::FollowDistance(set_a, shape_a.pose, set_b, shape_b.pose, for_pair, warm_start);
+                       result.status = followed.status;
+                       result.iterations = followed.iterations;
+                       Take(followed, result);
+                       return followed.status == dgd::Status::kOptimal || followed.status == dgd::Status::kSeparated;
+                     } else {
+                       return false;
+                     }
+                   });
 }
 
 }  // namespace dgd_bullet

@@ -34,28 +34,63 @@ struct SignedDistanceResult {
   Vector3<S> witness_2 = Vector3<S>::Zero();
 };
 
+/// Whether FollowDistance() is for these sets: cores of vertices, with or without radii.
+template <class Set1, class Set2>
+inline constexpr bool kCanFollow = MinkowskiDifference<Set1, Set2>::kIsPolytope;
+
+namespace signed_distance_internal {
+template <class Search>
+void Report(const Search& search, SignedDistanceResult<typename Search::S>& result) {
+  result.normal = search.Normal();
+  result.separation = search.Separation();
+  result.upper_bound = search.UpperBound();
+  result.witness_1 = search.Witness1();
+  result.witness_2 = search.Witness2();
+}
+}  // namespace signed_distance_internal
+
 /// The signed distance of two sets in space, flat ones too.
 /// @param growth      Of GrowthDistance() for these sets and poses, whatever its status: the start.
 /// @param warm_start  Of the same call, or nullptr; its basis saves evaluations.
 /// @param settings    relative_tolerance is of the sets' size, for curved cores: polytopes end at rounding error.
 ///                    max_iterations bounds the evaluations.
+/// @param follow      nullptr, or where FollowDistance() is to go on from.
 /// Allocates nothing and does not throw. Method: distance/signed_distance_search.h.
 template <class Set1, class Set2>
 SignedDistanceResult<typename Set1::Scalar> SignedDistance(const Set1& set_1, const PoseOf<Set1>& pose_1,
                                                            const Set2& set_2, const PoseOf<Set1>& pose_2,
                                                            const ResultOf<Set1>& growth,
                                                            const WarmStartOf<Set1>* warm_start = nullptr,
-                                                           const Settings<typename Set1::Scalar>& settings = {}) {
+                                                           const Settings<typename Set1::Scalar>& settings = {},
+                                                           WarmStartOf<Set1>* follow = nullptr) {
   SignedDistanceSearch<Set1, Set2> search(set_1, pose_1, set_2, pose_2, settings);
   SignedDistanceResult<typename Set1::Scalar> result;
   result.status = search.Solve(growth, warm_start);
   result.iterations = search.Iterations();
   if (result.status == Status::kInvalidInput) return result;
-  result.normal = search.Normal();
-  result.separation = search.Separation();
-  result.upper_bound = search.UpperBound();
-  result.witness_1 = search.Witness1();
-  result.witness_2 = search.Witness2();
+  signed_distance_internal::Report(search, result);
+  if (follow != nullptr) search.Remember(result.status, *follow);
+  return result;
+}
+
+/// The same without a growth distance, while cores with vertices stay apart from frame to frame: sets that are apart,
+/// or overlap by less than their radii. A pair in contact face on face costs one evaluation of the support functions.
+/// @param state     In and out: of SignedDistance() or of the last call. Left as it was if the call fails.
+/// @param settings  As there; kSeparated is returned as soon as the sets are farther apart than separation_limit.
+/// @return kOptimal, certain as SignedDistance()'s; kSeparated, with the normal and the separation along it. All other
+///         statuses mean failure, and no other field is usable: the cores may overlap, ask for the growth distance.
+template <class Set1, class Set2>
+SignedDistanceResult<typename Set1::Scalar> FollowDistance(const Set1& set_1, const PoseOf<Set1>& pose_1,
+                                                           const Set2& set_2, const PoseOf<Set1>& pose_2,
+                                                           const Settings<typename Set1::Scalar>& settings,
+                                                           WarmStartOf<Set1>& state) requires kCanFollow<Set1, Set2> {
+  SignedDistanceSearch<Set1, Set2> search(set_1, pose_1, set_2, pose_2, settings);
+  SignedDistanceResult<typename Set1::Scalar> result;
+  result.status = search.SolveApart(state);
+  result.iterations = search.Iterations();
+  if (result.status != Status::kOptimal && result.status != Status::kSeparated) return result;
+  signed_distance_internal::Report(search, result);
+  search.Remember(result.status, state);
   return result;
 }
 

@@ -10,8 +10,16 @@
 
 namespace dgd {
 
-/// Convex weights of the point of triangle (a, b, c) nearest to the origin; the triangle may be degenerate. Its inside
-/// and all three sides are tried: on a sliver the inside's weights have lost their digits, and a side is nearer.
+/// Convex weight of b in the point of the side from a to b nearest to the origin; the side may be a point.
+template <class S>
+S WeightOfSecond(const Vector3<S>& a, const Vector3<S>& b) {
+  const Vector3<S> side = b - a;
+  const S length_sq = side.squaredNorm();
+  return length_sq > 0 ? std::clamp(-side.dot(a) / length_sq, S(0), S(1)) : S(0);
+}
+
+/// Convex weights of the point of triangle (a, b, c) nearest to the origin; the triangle may be degenerate. On a sliver
+/// the inside's weights have lost their digits, and a side may be nearer: there all are tried.
 template <class S>
 std::array<S, 3> WeightsOfNearest(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c) {
   const std::array<const Vector3<S>*, 3> corners{&a, &b, &c};
@@ -27,14 +35,15 @@ std::array<S, 3> WeightsOfNearest(const Vector3<S>& a, const Vector3<S>& b, cons
   const std::array<S, 3> parts{normal.dot(b.cross(c)), normal.dot(c.cross(a)), normal.dot(a.cross(b))};
   const S sum = parts[0] + parts[1] + parts[2];
   if (sum > 0 && parts[0] >= 0 && parts[1] >= 0 && parts[2] >= 0) {
-    take_if_nearer({parts[0] / sum, parts[1] / sum, parts[2] / sum});
+    const std::array<S, 3> inside{parts[0] / sum, parts[1] / sum, parts[2] / sum};
+    constexpr S kFat = S(0.01);  // Twice the area over the product of two sides: their angle's sine.
+    if (normal.squaredNorm() > kFat * kFat * (b - a).squaredNorm() * (c - a).squaredNorm()) return inside;
+    take_if_nearer(inside);
   }
   for (std::size_t from = 0; from < 3; ++from) {
     const std::size_t to = (from + 1) % 3;
-    const Vector3<S> side = *corners[to] - *corners[from];
-    const S length_sq = side.squaredNorm();
     std::array<S, 3> weights{};
-    weights[to] = length_sq > 0 ? std::clamp(-side.dot(*corners[from]) / length_sq, S(0), S(1)) : S(0);
+    weights[to] = WeightOfSecond<S>(*corners[from], *corners[to]);
     weights[from] = 1 - weights[to];
     take_if_nearer(weights);
   }
@@ -117,18 +126,21 @@ class NearestSimplex {
 
   /// Finds the nearest point, and drops the points without weight.
   void Reduce() {
-    const auto point = [&](std::size_t i) -> const Vector3<S>& { return points_[std::min(i, size_ - 1)].point; };
-    const std::array<S, 3> weights = WeightsOfNearest<S>(point(0), point(1), point(2));
-    std::array<S, 3> sums{};
-    for (std::size_t i = 0; i < 3; ++i) sums[std::min(i, size_ - 1)] += weights[i];
+    std::array<S, 3> weights{1};
+    if (size_ == 3) {
+      weights = WeightsOfNearest<S>(points_[0].point, points_[1].point, points_[2].point);
+    } else if (size_ == 2) {
+      weights[1] = WeightOfSecond<S>(points_[0].point, points_[1].point);
+      weights[0] = 1 - weights[1];
+    }
     const std::size_t size = size_;
     size_ = 0;
     nearest_.setZero();
     for (std::size_t i = 0; i < size; ++i) {
-      if (!(sums[i] > 0)) continue;
-      nearest_ += sums[i] * points_[i].point;
-      points_[size_] = points_[i];
-      weights_[size_++] = sums[i];
+      if (!(weights[i] > 0)) continue;
+      nearest_ += weights[i] * points_[i].point;
+      if (size_ != i) points_[size_] = points_[i];
+      weights_[size_++] = weights[i];
     }
   }
 

@@ -11,6 +11,8 @@
 //    an inner approximation all around tells the least of them: an expanding polytope. Its nearest face bounds the
 //    depth from below, supporting planes from above; the best of these, from the growth distance on, says which faces
 //    need no look.
+//  * Frames. Of polytopes whose cores stay apart, the last nearest simplex is where the next search starts, and most
+//    often ends: no growth distance is needed in between.
 //  * Curves. Newton's steps in between (normal_step.h), as long as they gain: the inner approximation of a smooth set
 //    alone converges linearly.
 #pragma once
@@ -58,6 +60,27 @@ class SignedDistanceSearch {
       best_.height = -growth.separation - difference_.Rounding();
     }
     return Approach();
+  }
+
+  /// From where the last search ended, for polytopes whose cores were apart then.
+  /// @return kOptimal or kSeparated; anything else if they are apart no longer, or there is no state.
+  Status SolveApart(const WarmStart<S>& last) requires(Difference::kIsPolytope) {
+    if (!difference_.IsFinite()) return Status::kInvalidInput;
+    AddBasis(last);
+    if (simplex_.Size() == 0) return Status::kStalled;
+    is_following_ = true;
+    return Approach();
+  }
+
+  /// Leaves the simplex, and the normal, for SolveApart().
+  void Remember(Status status, WarmStart<S>& warm_start) const {
+    warm_start.normal_1 = difference_.DirectionToSet1(best_.normal);
+    warm_start.size = status == Status::kSeparated ? 0 : static_cast<std::int32_t>(simplex_.Size());
+    warm_start.known_size = 0;
+    for (std::size_t i = 0; i < simplex_.Size(); ++i) {
+      warm_start.features_1[i] = simplex_[i].feature_1;
+      warm_start.features_2[i] = simplex_[i].feature_2;
+    }
   }
 
   int Iterations() const { return iterations_; }
@@ -147,13 +170,16 @@ class SignedDistanceSearch {
   Status Approach() {
     for (;;) {
       nearest_ = simplex_.Nearest().norm();
-      if (nearest_ <= Rounding()) return Touch();
+      if (nearest_ <= Rounding()) return is_following_ ? Status::kStalled : Touch();
       if (HasGoodPoints()) return Finish(Status::kOptimal, simplex_.Combination());
       if (IsExhausted()) return Finish(Status::kIterationLimit, simplex_.Combination());
       const Point own = simplex_.Normal();
       const Point normal = NextNormal(own);
       const Feature support = Cut(normal);
+      if (HasGoodPoints()) return Finish(Status::kOptimal, simplex_.Combination());
+      if (is_following_ && Separation() > settings_.separation_limit) return Status::kSeparated;
       if (simplex_.HoldsOriginWith(support.point)) {
+        if (is_following_) return Status::kStalled;
         return Expand({simplex_[0], simplex_[1], simplex_[2], support});
       }
       NearestSimplex<S> grown = simplex_;
@@ -259,6 +285,7 @@ class SignedDistanceSearch {
   S nearest_ = std::numeric_limits<S>::infinity();  // Signed distance of K's inner approximation, metres.
   Feature foot_;                                    // The witness points' difference, without radii.
   int iterations_ = 0;
+  bool is_following_ = false;   // By SolveApart(): not where the origin turns out to be inside of K.
   bool is_news_ = false;        // No Newton's step was taken from the best plane yet.
   bool is_stationary_ = false;  // The best plane's normal is the best nearby.
 };
