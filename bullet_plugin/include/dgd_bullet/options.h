@@ -43,8 +43,10 @@ struct Options {
   /// solver keeps open until they close; points in manifolds that are not the pair's own never exceed its threshold.
   double contact_distance = 0;
 
-  /// The default is by measurement (demos/contact_report, fifty polytopes, median of 20 seeds, float): with the growth
-  /// distance's normals bodies are 6 % deeper at worst and as deep at rest. It costs a fifth more time.
+  /// The default is what Bullet's own narrowphase seeks: the depth that apps read is the least way out. In piles it
+  /// makes little difference (demos/contact_report, fifty polytopes, median of 20 seeds, float): with the growth
+  /// distance's normals bodies are 4 % less deep at worst, as deep at rest, come to rest 5 % later, and cost a tenth
+  /// less time.
   NormalMode normal_mode = NormalMode::kLeastTranslation;
 
   /// Bounding boxes stay Bullet's, margins included, in either mode.
