@@ -172,11 +172,11 @@ double Growth(const PairClass& first, const Rows& rows_first, const PairClass& l
 /// Time against vertex count, of the classes that differ in nothing else.
 void PrintGrowth(const std::vector<std::pair<const PairClass*, Rows>>& measured) {
   if (measured.size() < 2) return;
-  const auto& [first, rows_first] = measured.front();
-  const auto& [last, rows_last] = measured.back();
-  const auto growth = [&](SpeedMethod method) { return Growth(*first, rows_first, *last, rows_last, method); };
+  const PairClass &first = *measured.front().first, &last = *measured.back().first;
+  const Rows &rows_first = measured.front().second, &rows_last = measured.back().second;
+  const auto growth = [&](SpeedMethod method) { return Growth(first, rows_first, last, rows_last, method); };
   std::printf("From %d to %d vertices, times grow as n to the power of: cold %.2f, warm %.2f, collision check %.2f; ",
-              first->vertices, last->vertices, growth(SpeedMethod::kCold), growth(SpeedMethod::kWarm),
+              first.vertices, last.vertices, growth(SpeedMethod::kCold), growth(SpeedMethod::kWarm),
               growth(SpeedMethod::kCheck));
   std::printf("plain %.2f, %.2f, %.2f\n", growth(SpeedMethod::kPlainCold), growth(SpeedMethod::kPlainWarm),
               growth(SpeedMethod::kPlainCheck));
