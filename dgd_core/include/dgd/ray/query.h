@@ -2,23 +2,31 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "dgd/growth_distance.h"
 #include "dgd/ray/ray_intersection.h"
 
 namespace dgd {
 
-/// Tries the normal along which the sets were apart at the last query, before any frame is made: two evaluations of
-/// support functions and a few dot products decide most pairs of a broadphase, which are apart and stay so.
-/// @param warm_start  HasNormal().
+/// Whether the last query found the sets apart, and its normal is the first one to try.
+template <class S, int L>
+bool WereApart(const WarmStart<S, L>* warm_start) {
+  return warm_start != nullptr && warm_start->size == 0 && HasNormal(*warm_start);
+}
+
+/// Tries one normal before any frame is made: two evaluations of support functions and a few dot products decide most
+/// pairs of a broadphase, which are apart and stay so.
+/// @param normal_1  Unit length, set 1's frame.
+/// @param top_1     Set to a point of set 1 that is farthest along it, world.
 /// @return whether the sets are farther apart along it than `limit`; the result then says so.
 template <class Set1, class Set2>
-[[gnu::flatten]] bool SeparatedAlongLastNormal(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
-                                               const PoseOf<Set1>& pose_2, typename Set1::Scalar limit,
-                                               const WarmStartOf<Set1>& warm_start, ResultOf<Set1>& result) {
+[[gnu::flatten]] bool SeparatedAlong(const VectorOf<typename Set1::Core>& normal_1, const Set1& set_1,
+                                     const PoseOf<Set1>& pose_1, const Set2& set_2, const PoseOf<Set1>& pose_2,
+                                     typename Set1::Scalar limit, ResultOf<Set1>& result,
+                                     VectorOf<typename Set1::Core>& top_1) {
   using S = typename Set1::Scalar;
   using Point = VectorOf<typename Set1::Core>;
-  const Point& normal_1 = warm_start.normal_1;
   const Point normal = pose_1.rotation * normal_1;
   const Point normal_2 = pose_2.rotation.transpose() * -normal;
   const Point support_1 = set_1.core.Support(normal_1).point;
@@ -32,7 +40,21 @@ template <class Set1, class Set2>
   result.normal = normal;
   result.separation = separation;
   result.lower_bound = 1;  // The sets are apart.
+  top_1 = pose_1 * support_1 + set_1.radius * normal;
   return true;
+}
+
+/// For a yes or no, the line of centres, which is the first direction of a query in any case, is such a normal too.
+/// @return NaN for coincident centres, and for sets without an interior, which are no query's.
+template <class Set1, class Set2>
+VectorOf<typename Set1::Core> LineOfCenters(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
+                                            const PoseOf<Set1>& pose_2) {
+  using S = typename Set1::Scalar;
+  using Point = VectorOf<typename Set1::Core>;
+  const S inradius = set_1.core.Inradius() + set_2.core.Inradius() + set_1.radius + set_2.radius;
+  if (!(inradius > 0)) return Point::Constant(std::numeric_limits<S>::quiet_NaN());
+  const Point between_centers = pose_2 * set_2.core.Center() - pose_1 * set_1.core.Center();
+  return pose_1.rotation.transpose() * Point(between_centers / between_centers.norm());
 }
 
 template <class Set1, class Set2, class Observer>
@@ -41,8 +63,9 @@ template <class Set1, class Set2, class Observer>
                                                const Settings<typename Set1::Scalar>& settings,
                                                WarmStartOf<Set1>* warm_start, Observer&& observer) {
   ResultOf<Set1> result;
-  if (warm_start != nullptr && warm_start->size == 0 && HasNormal(*warm_start) &&
-      SeparatedAlongLastNormal(set_1, pose_1, set_2, pose_2, settings.separation_limit, *warm_start, result)) {
+  VectorOf<typename Set1::Core> top_1;
+  if (WereApart(warm_start) &&
+      SeparatedAlong(warm_start->normal_1, set_1, pose_1, set_2, pose_2, settings.separation_limit, result, top_1)) {
     return result;
   }
   RayIntersection<Set1, Set2> query(set_1, pose_1, set_2, pose_2, settings);
@@ -65,14 +88,25 @@ CollisionResultOf<Set1> DetectCollision(const Set1& set_1, const PoseOf<Set1>& p
   using S = typename Set1::Scalar;
   CollisionResultOf<Set1> result;
   ResultOf<Set1> apart;
-  if (warm_start != nullptr && warm_start->size == 0 && HasNormal(*warm_start) &&
-      SeparatedAlongLastNormal(set_1, pose_1, set_2, pose_2, S(0), *warm_start, apart)) {
+  using Point = VectorOf<typename Set1::Core>;
+  const bool is_cold = warm_start == nullptr || !HasNormal(*warm_start);
+  Point normal_1, top_1;
+  if (is_cold) {
+    normal_1 = LineOfCenters(set_1, pose_1, set_2, pose_2);
+  } else {
+    normal_1 = warm_start->normal_1;
+  }
+  if ((is_cold || WereApart(warm_start)) &&
+      SeparatedAlong(normal_1, set_1, pose_1, set_2, pose_2, S(0), apart, top_1)) {
+    if (is_cold && warm_start != nullptr) {
+      *warm_start = {};
+      warm_start->normal_1 = normal_1;
+    }
     result.status = Status::kSeparated;
     result.iterations = apart.iterations;
     result.normal = apart.normal;
     result.separation = apart.separation;
-    const VectorOf<typename Set1::Core> support_1 = pose_1 * set_1.core.Support(warm_start->normal_1).point;
-    result.point = support_1 + (set_1.radius + apart.separation / 2) * apart.normal;
+    result.point = top_1 + apart.separation / 2 * apart.normal;
     return result;
   }
   RayIntersection<Set1, Set2> query(set_1, pose_1, set_2, pose_2, settings);
