@@ -1,12 +1,13 @@
 // The one place where the demos choose between Bullet's narrowphase and ours.
 #pragma once
 
-#include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
-
 #include <cstdint>
 #include <memory>
 #include <string_view>
 #include <vector>
+
+class btCollisionConfiguration;
+class btDefaultCollisionConfiguration;
 
 namespace dgd_demos {
 
