@@ -21,7 +21,7 @@ inline Vector3 FromBullet(const btVector3& v) {
 inline btVector3 ToBullet(const Vector3& v) { return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())}; }
 
 /// The pose of a set whose z axis is Bullet's axis `up_axis`: the columns that follow it cyclically come first. Filled
-/// in place: copying a matrix whose numbers were just stored one by one waits for all of them, 20 ns a pair.
+/// in place: copying a matrix whose numbers were just stored one by one waits for all of them.
 inline Pose FromBullet(const btTransform& transform, int up_axis) {
   const btMatrix3x3& basis = transform.getBasis();
   const int x = up_axis == 2 ? 0 : up_axis + 1, y = x == 2 ? 0 : x + 1;

@@ -2,7 +2,7 @@
 //
 // Bullet tells nobody when a shape changes or dies, and a new one may take its address. A hull is therefore only used
 // after its shape has been compared with what the hull was made from: number of points, scaling, and every point, which
-// costs less than one evaluation of the support function.
+// costs less than one evaluation of the support function that looks at all of them.
 #pragma once
 
 #include <cstddef>

@@ -51,7 +51,7 @@ struct Floats {
   }
   static Vector Top(Vector a) {
     a = _mm256_max_ps(a, _mm256_permute2f128_ps(a, a, 1));         // Halves change places,
-    a = _mm256_max_ps(a, _mm256_permute_ps(a, 0b01'00'11'10));     // Pairs change places,
+    a = _mm256_max_ps(a, _mm256_permute_ps(a, 0b01'00'11'10));     // pairs,
     return _mm256_max_ps(a, _mm256_permute_ps(a, 0b10'11'00'01));  // then neighbours.
   }
 };

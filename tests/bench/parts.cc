@@ -3,8 +3,8 @@
 // predicted about as well as in an app.
 #include <benchmark/benchmark.h>
 
-#include <array>
-#include <span>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "dgd/certificate.h"
@@ -26,6 +26,7 @@ using Pose = dgd::Pose<double>;
 constexpr std::uint64_t kSeed = 1;
 constexpr int kUsualVertices = 14;
 constexpr std::size_t kInputs = 256;
+constexpr dgd::VertexId kAlwaysScanned = std::numeric_limits<dgd::VertexId>::max();
 
 std::vector<Vector3d> PointsOnSphere(Random& random, std::int64_t count) {
   std::vector<Vector3d> points;
@@ -63,7 +64,7 @@ void TimeSupport(benchmark::State& state, const Core& core) {
 
 void SupportByScan(benchmark::State& state) {
   Random random(kSeed);
-  TimeSupport(state, dgd::Polytope<double, 1 << 20>(PointsOnSphere(random, state.range(0))));
+  TimeSupport(state, dgd::Polytope<double, kAlwaysScanned>(PointsOnSphere(random, state.range(0))));
 }
 BENCHMARK(SupportByScan)->ArgName("vertices")->RangeMultiplier(4)->Range(8, 512);
 
@@ -138,12 +139,12 @@ class Pair {
   Inputs<Input> inputs_;
 };
 
-// Metres.
-constexpr double kTouching = 0.85, kApart = 1.3;
+// Of the centres, where hulls of this size mostly overlap and never do; metres.
+constexpr double kOverlapping = 0.85, kApart = 1.3;
 constexpr double kMargin = 0.04;
 
 void QueryCold(benchmark::State& state, double margin) {
-  Pair pair(kTouching, margin);
+  Pair pair(kOverlapping, margin);
   for (auto _ : state) {
     const Pair::Input& in = pair.Next();
     benchmark::DoNotOptimize(dgd::GrowthDistance(pair.set_1(), in.pose_1, pair.set_2(), in.pose_2));
@@ -153,7 +154,7 @@ BENCHMARK_CAPTURE(QueryCold, sharp, 0.0);
 BENCHMARK_CAPTURE(QueryCold, margin_4_cm, kMargin);
 
 void QueryWarm(benchmark::State& state, double margin) {
-  Pair pair(kTouching, margin);
+  Pair pair(kOverlapping, margin);
   for (auto _ : state) {
     const Pair::Input& in = pair.Next();
     dgd::WarmStart<double> warm_start = in.last;
@@ -185,11 +186,11 @@ void CollisionCheckCold(benchmark::State& state, double distance) {
   }
 }
 BENCHMARK_CAPTURE(CollisionCheckCold, apart, kApart);
-BENCHMARK_CAPTURE(CollisionCheckCold, touching, kTouching);
+BENCHMARK_CAPTURE(CollisionCheckCold, overlapping, kOverlapping);
 
 /// From the growth distance to the least translation or the distance.
 void SignedDistanceStep(benchmark::State& state) {
-  Pair pair(kTouching, 0);
+  Pair pair(kOverlapping, 0);
   for (auto _ : state) {
     const Pair::Input& in = pair.Next();
     benchmark::DoNotOptimize(dgd::SignedDistance(pair.set_1(), in.pose_1, pair.set_2(), in.pose_2, in.result));
@@ -198,7 +199,7 @@ void SignedDistanceStep(benchmark::State& state) {
 BENCHMARK(SignedDistanceStep);
 
 void Face(benchmark::State& state) {
-  Pair pair(kTouching, 0);
+  Pair pair(kOverlapping, 0);
   for (auto _ : state) {
     const Pair::Input& in = pair.Next();
     benchmark::DoNotOptimize(dgd::FindFace(pair.set_1(), in.pose_1, in.result.normal, in.frame));
@@ -207,7 +208,7 @@ void Face(benchmark::State& state) {
 BENCHMARK(Face);
 
 void Patch(benchmark::State& state) {
-  Pair pair(kTouching, 0);
+  Pair pair(kOverlapping, 0);
   const dgd::PatchSettings<double> settings{.contact_distance = 0.02, .spacing = 0.02};
   const auto is_approaching = [](const Vector3d&, double) { return false; };
   for (auto _ : state) {
@@ -220,7 +221,7 @@ void Patch(benchmark::State& state) {
 BENCHMARK(Patch);
 
 void Certificate(benchmark::State& state) {
-  Pair pair(kTouching, 0);
+  Pair pair(kOverlapping, 0);
   for (auto _ : state) {
     const Pair::Input& in = pair.Next();
     benchmark::DoNotOptimize(dgd::Certify(pair.set_1(), in.pose_1, pair.set_2(), in.pose_2, in.result));

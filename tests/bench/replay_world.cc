@@ -35,14 +35,9 @@ void ReadContacts(btBroadphasePair& pair, PairSample& sample) {
   pair.m_algorithm->getAllContactManifolds(manifolds);
   for (int m = 0; m < manifolds.size(); ++m) {
     const btPersistentManifold& manifold = *manifolds[m];
-    const bool is_swapped = manifold.getBody0()->getUserIndex() != sample.pair.first;
     for (int c = 0; c < manifold.getNumContacts(); ++c) {
-      const btManifoldPoint& point = manifold.getContactPoint(c);
-      const double separation = point.getDistance();
-      if (sample.contacts++ > 0 && separation >= sample.separation) continue;
-      sample.separation = separation;
-      // Bullet's points from the manifold's second body to its first.
-      sample.normal = (is_swapped ? 1 : -1) * dgd_demos::FromBullet(point.m_normalWorldOnB);
+      const double separation = manifold.getContactPoint(c).getDistance();
+      if (sample.contacts++ == 0 || separation < sample.separation) sample.separation = separation;
     }
   }
 }
@@ -61,7 +56,7 @@ void PairTimingDispatcher::TimePair(btBroadphasePair& pair, btCollisionDispatche
   defaultNearCallback(pair, dispatcher, info);
   const double elapsed = Microseconds(Clock::now() - start).count();
   const auto [first, second] = std::minmax({IndexOf(pair.m_pProxy0), IndexOf(pair.m_pProxy1)});
-  PairSample sample{{first, second}, std::max(0.0, elapsed - self.clock_us_), 0, 0, Eigen::Vector3d::Zero()};
+  PairSample sample{{first, second}, std::max(0.0, elapsed - self.clock_us_)};
   ReadContacts(pair, sample);
   self.samples.push_back(sample);
 }

@@ -16,10 +16,9 @@ namespace dgd_bench {
 /// What one narrowphase did about one pair of overlapping bounding boxes in one step.
 struct PairSample {
   dgd_demos::BodyPair pair;
-  double microseconds;     ///< Of the whole near callback, less what reading the clock takes.
-  int contacts;            ///< In the pair's manifold.
-  double separation;       ///< Of the deepest contact point, m; 0 without any.
-  Eigen::Vector3d normal;  ///< Of that point, from the first body to the second.
+  double microseconds;    ///< Of the whole near callback, less what reading the clock takes.
+  int contacts = 0;       ///< In the pair's manifold.
+  double separation = 0;  ///< Of the deepest contact point, m; 0 without any.
 };
 
 /// Bullet's dispatcher with a stop watch around each pair.
@@ -35,6 +34,7 @@ class PairTimingDispatcher : public btCollisionDispatcher {
   double clock_us_;  // Of reading the clock twice.
 };
 
+/// Of its own bodies and shapes, made from a scene's.
 class ReplayWorld {
  public:
   /// @param time_step  Of the recording, s.

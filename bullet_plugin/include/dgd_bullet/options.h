@@ -59,8 +59,8 @@ struct Options {
   bool speculative_contacts = true;
 
   /// Contacts of faces that stick are held where they stuck: Bullet's solver takes back what they have slipped by
-  /// since, within the friction cone, and piles do not creep: the blocks of scenes/pyramid_28.json move by 46 mm in a
-  /// minute without, 1.7 mm with it (float). Rolling bodies, sliding ones and moving surfaces are not held. Off:
+  /// since, within the friction cone, and piles do not creep: the blocks of scenes/pyramid_28.json move by 37 mm in a
+  /// minute without, 1.3 mm with it (float). Rolling bodies, sliding ones and moving surfaces are not held. Off:
   /// friction opposes speed only, as with Bullet. In manifolds of the pair's own only. Needs contact_patch.
   bool friction_anchors = true;
 };

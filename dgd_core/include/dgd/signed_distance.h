@@ -54,7 +54,7 @@ void Report(const Search& search, SignedDistanceResult<typename Search::S>& resu
 /// @param warm_start  Of the same call, or nullptr; its basis saves evaluations.
 /// @param settings    relative_tolerance is of the sets' size, for curved cores: polytopes end at rounding error.
 ///                    max_iterations bounds the evaluations.
-/// @param follow      nullptr, or where FollowDistance() is to go on from.
+/// @param follow      Out: where FollowDistance() can go on from, if the result is optimal and the cores are apart.
 /// Allocates nothing and does not throw. Method: distance/signed_distance_search.h.
 template <class Set1, class Set2>
 SignedDistanceResult<typename Set1::Scalar> SignedDistance(const Set1& set_1, const PoseOf<Set1>& pose_1,

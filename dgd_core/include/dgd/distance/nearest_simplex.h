@@ -36,8 +36,10 @@ std::array<S, 3> WeightsOfNearest(const Vector3<S>& a, const Vector3<S>& b, cons
   const S sum = parts[0] + parts[1] + parts[2];
   if (sum > 0 && parts[0] >= 0 && parts[1] >= 0 && parts[2] >= 0) {
     const std::array<S, 3> inside{parts[0] / sum, parts[1] / sum, parts[2] / sum};
-    constexpr S kFat = S(0.01);  // Twice the area over the product of two sides: their angle's sine.
-    if (normal.squaredNorm() > kFat * kFat * (b - a).squaredNorm() * (c - a).squaredNorm()) return inside;
+    // Twice the area over the longest side's square: the weights lose two digits at most.
+    constexpr S kFat = S(0.01);
+    const S longest_sq = std::max({(b - a).squaredNorm(), (c - a).squaredNorm(), (c - b).squaredNorm()});
+    if (normal.squaredNorm() > kFat * kFat * longest_sq * longest_sq) return inside;
     take_if_nearer(inside);
   }
   for (std::size_t from = 0; from < 3; ++from) {

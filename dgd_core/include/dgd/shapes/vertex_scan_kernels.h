@@ -13,9 +13,7 @@ inline constexpr std::size_t kBlockBytes = 64;
 /// Index of the point with the greatest x * direction_x + y * direction_y + z * direction_z, summed in this order, each
 /// operation rounded; the first one of several. 0 where no height is a number. All kernels give the same answer.
 /// @param coordinates  Three arrays one after the other, of `padded` scalars each; no alignment needed.
-/// @param padded       A multiple of kBlockBytes / sizeof(scalar), > 0; below 2^24 in float, which counts blocks
-/// exactly
-///                     up to there.
+/// @param padded       A multiple of kBlockBytes / sizeof(scalar), > 0; in float below 2^24, up to which it counts.
 template <class S>
 using Kernel = std::uint32_t (*)(const S* coordinates, std::size_t padded, S x, S y, S z);
 
