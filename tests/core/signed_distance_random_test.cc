@@ -10,17 +10,8 @@
 namespace dgd_test {
 namespace {
 
-PairNumbers RandomPairOfAnyTypes(Random& random) {
-  constexpr LengthRange kLengths{0.02, 1};
-  PairNumbers pair;
-  do {
-    for (SetNumbers* set : {&pair.set_1, &pair.set_2}) {
-      SetType type;
-      do type = static_cast<SetType>(random.Below(static_cast<int>(kSetTypeCount)));
-      while (InfoOf(type).dimension != 3);
-      *set = RandomSetOf(random, type, kLengths, random.Flip());
-    }
-  } while (!pair.set_1.HasInterior() && !pair.set_2.HasInterior());
+PairNumbers RandomlyPlacedPair(Random& random) {
+  PairNumbers pair = RandomPairOfAnyTypes(random, {0.02, 1});
   Place(random, static_cast<Placement>(random.Below(kPlacementCount)), pair);
   return pair;
 }
@@ -55,7 +46,7 @@ void CheckRandomPairs(int count) {
   Random random(TestSeed());
   int overlaps = 0, unfinished = 0, unfinished_polytopes = 0;
   for (int i = 0; i < count && !::testing::Test::HasFailure(); ++i) {
-    const PairNumbers any_numbers = RandomPairOfAnyTypes(random);
+    const PairNumbers any_numbers = RandomlyPlacedPair(random);
     const PairNumbers numbers = sizeof(S) == sizeof(float) ? RoundedToFloat(any_numbers) : any_numbers;
     const AnyPair<S, 3> pair(numbers);
     dgd::WarmStart<S> warm_start;

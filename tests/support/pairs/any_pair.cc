@@ -64,6 +64,17 @@ dgd::SignedDistanceResult<S> AnyPair<S, L>::SignedDistance(const dgd::Result<S>&
 }
 
 template <class S, int L>
+dgd::TimeOfImpactResult<S> AnyPair<S, L>::TimeOfImpact(const dgd::Motion<S>& motion_1,
+                                                       const dgd::Motion<S>& motion_2) const requires(L == 3) {
+  if constexpr (L == 3) {  // As above.
+    return std::visit([&](const auto& a, const auto& b) { return dgd::TimeOfImpact(a, motion_1, b, motion_2); }, set_1_,
+                      set_2_);
+  } else {
+    return {};
+  }
+}
+
+template <class S, int L>
 dgd::Certificate AnyPair<S, L>::Certify(const dgd::Result<S, L>& result) const {
   return std::visit([&](const auto& a, const auto& b) { return dgd::Certify(a, pose_1_, b, pose_2_, result); }, set_1_,
                     set_2_);

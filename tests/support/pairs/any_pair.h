@@ -8,6 +8,7 @@
 #include "dgd/growth_distance.h"
 #include "dgd/signed_distance.h"
 #include "dgd/signed_distance_certificate.h"
+#include "dgd/time_of_impact.h"
 #include "support/pairs/erased_core.h"
 #include "support/pairs/set_numbers.h"
 
@@ -36,6 +37,9 @@ class AnyPair {
   dgd::SignedDistanceResult<S> SignedDistance(const dgd::Result<S>& growth,
                                               const dgd::WarmStart<S>* warm_start = nullptr,
                                               const dgd::Settings<S>& settings = {}) const requires(L == 3);
+  /// The motions' starts are the poses, whatever MoveTo() said.
+  dgd::TimeOfImpactResult<S> TimeOfImpact(const dgd::Motion<S>& motion_1, const dgd::Motion<S>& motion_2) const
+      requires(L == 3);
   dgd::Certificate Certify(const dgd::Result<S, L>& result) const;
   dgd::SignedDistanceCertificate Certify(const dgd::SignedDistanceResult<S>& result) const requires(L == 3);
 

@@ -162,6 +162,19 @@ SetNumbers RandomSetOf(Random& random, SetType type, const LengthRange& lengths,
   return set;
 }
 
+PairNumbers RandomPairOfAnyTypes(Random& random, const LengthRange& lengths) {
+  PairNumbers pair;
+  do {
+    for (SetNumbers* set : {&pair.set_1, &pair.set_2}) {
+      SetType type;
+      do type = static_cast<SetType>(random.Below(static_cast<int>(kSetTypeCount)));
+      while (InfoOf(type).dimension != 3);
+      *set = RandomSetOf(random, type, lengths, random.Flip());
+    }
+  } while (!pair.set_1.HasInterior() && !pair.set_2.HasInterior());
+  return pair;
+}
+
 Matrix3d RandomRotation(Random& random, int dimension) {
   if (dimension == 3) return random.Rotation();
   const double angle = random.Uniform(-std::numbers::pi, std::numbers::pi);

@@ -14,6 +14,9 @@ struct LengthRange {
 
 SetNumbers RandomSetOf(Random& random, SetType type, const LengthRange& lengths, bool is_rounded);
 
+/// Two sets of any types of space, not both without an interior; not yet placed.
+PairNumbers RandomPairOfAnyTypes(Random& random, const LengthRange& lengths);
+
 /// Uniform over all rotations of the dimension.
 Eigen::Matrix3d RandomRotation(Random& random, int dimension);
 /// In the plane, z = 0.
