@@ -4,6 +4,9 @@
 #include <LinearMath/btTransform.h>
 #include <LinearMath/btVector3.h>
 
+#include <cmath>
+#include <limits>
+
 #include "solver_types.h"
 
 namespace dgd_bullet {
@@ -19,6 +22,12 @@ inline Vector3 FromBullet(const btVector3& v) {
 }
 
 inline btVector3 ToBullet(const Vector3& v) { return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())}; }
+
+/// In Bullet's precision, and not above.
+inline btScalar RoundDown(double value) {
+  const btScalar rounded = btScalar(value);
+  return double(rounded) > value ? std::nextafter(rounded, -std::numeric_limits<btScalar>::infinity()) : rounded;
+}
 
 /// The pose of a set whose z axis is Bullet's axis `up_axis`: the columns that follow it cyclically come first. Filled
 /// in place: copying a matrix whose numbers were just stored one by one waits for all of them.

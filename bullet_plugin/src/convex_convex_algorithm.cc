@@ -7,14 +7,18 @@
 #include <algorithm>
 #include <exception>
 #include <optional>
+#include <utility>
 
+#include "contact_drawer.h"
 #include "friction_anchors.h"
 #include "manifold_writer.h"
 #include "pair_distance.h"
 #include "pair_impact.h"
 #include "pair_motion.h"
+#include "pair_order.h"
 #include "pair_patch.h"
 #include "pair_solver.h"
+#include "shape_sweep.h"
 
 namespace dgd_bullet {
 namespace {
@@ -40,6 +44,33 @@ const btConvexShape& ShapeOf(const btCollisionObjectWrapper* body) {
   return *static_cast<const btConvexShape*>(body->getCollisionShape());
 }
 
+PairOutcome OutcomeOf(const dgd::Result<double>& result, bool has_followed, int patch_size) {
+  PairOutcome outcome{.iterations = result.iterations, .patch_size = patch_size};
+  if (result.status == dgd::Status::kSeparated) {
+    outcome.way = PairOutcome::Way::kSeparated;
+  } else if (has_followed) {
+    outcome.way = PairOutcome::Way::kFollowed;
+  } else if (result.status != dgd::Status::kCoincidentCenters) {
+    outcome.gap = result.RelativeGap();
+  }
+  return outcome;
+}
+
+/// As if the shapes had been solved in the other order.
+void Swap(dgd::ContactPatch<double>& patch, dgd::Result<double>& result) {
+  for (int i = 0; i < patch.size; ++i) {
+    dgd::ContactPoint<double>& point = patch.points[static_cast<std::size_t>(i)];
+    std::swap(point.on_1, point.on_2);
+  }
+  result.normal = -result.normal;
+}
+
+/// The app's own word on which bodies are worth a sweep.
+bool IsSlow(const btCollisionObject& body) {
+  const btVector3 way = body.getInterpolationWorldTransform().getOrigin() - body.getWorldTransform().getOrigin();
+  return way.length2() < body.getCcdSquareMotionThreshold();
+}
+
 }  // namespace
 
 ConvexConvexAlgorithm::ConvexConvexAlgorithm(const btCollisionAlgorithmConstructionInfo& info, Narrowphase& narrowphase,
@@ -56,7 +87,7 @@ void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* bod
   if (!HasManifold(body_0, body_1)) return;
   output->setPersistentManifold(manifold_);
   if (const std::optional<dgd::Status> failure = FindContacts(body_0, body_1, info, *output)) {
-    narrowphase_.CountFallback(*failure);
+    narrowphase_.CountFallback(*body_0->getCollisionShape(), *body_1->getCollisionShape(), *failure);
     // Bullet has no answer to what is no shape or no pose either: it reads points that a hull has not, and keeps NaN.
     if (*failure == dgd::Status::kInvalidInput) {
       if (owns_manifold_) manifold_->clearManifold();
@@ -81,12 +112,17 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
                                                                const btDispatcherInfo& info,
                                                                btManifoldResult& output) try {
   const Options& options = narrowphase_.options();
+  const bool is_swapped = ComesFirst(*body_1, *body_0);
+  if (is_swapped) std::swap(body_0, body_1);
+  const bool is_other_order = std::exchange(was_swapped_, is_swapped) != is_swapped;
+  if (is_other_order) std::swap(hull_0_, hull_1_);
   const auto adapt = [&](const btCollisionObjectWrapper* body, std::shared_ptr<const CachedHull>& hull) {
     return AdaptShape(ShapeOf(body), body->getWorldTransform(), options.geometry_mode, narrowphase_.hulls(), hull);
   };
   PosedShape shape_a = adapt(body_0, hull_0_);
   PosedShape shape_b = adapt(body_1, hull_1_);
   MoveCentersTogether(shape_a, shape_b);
+  Recall(is_other_order, shape_a.pose, shape_b.pose);
   const PairMotion motion = MotionToMeet(*body_0->getCollisionObject(), *body_1->getCollisionObject(), info);
   const double breaking_threshold = double(manifold_->getContactBreakingThreshold());
   const double contact_distance = (options.contact_distance > 0 ? options.contact_distance : breaking_threshold) +
@@ -116,11 +152,27 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
       patch = options.contact_patch ? FindPatch(shape_a, shape_b, result, of_patch, motion) : WitnessOnly(result);
     }
   }
+  if (PairCounters* counters = narrowphase_.pair_counters()) {
+    counters->Count(ShapeOf(body_0).getShapeType(), ShapeOf(body_1).getShapeType(),
+                    OutcomeOf(result, has_followed, patch.size));
+  }
+  if (is_swapped) Swap(patch, result);
+  if (info.m_debugDraw != nullptr) DrawContacts(patch, result, *info.m_debugDraw);
   WriteContacts(patch, result.normal, output);
   return std::nullopt;
 } catch (const std::exception&) {
   // A shape that is not one: NaN or infinite sizes, no points, no memory for its hull.
   return dgd::Status::kInvalidInput;
+}
+
+void ConvexConvexAlgorithm::Recall(bool is_other_order, const Pose& pose_a, const Pose& pose_b) {
+  if (!narrowphase_.options().warm_start) {
+    warm_start_ = {};
+    can_follow_ = false;
+  } else if (is_other_order) {
+    std::swap(warm_start_.features_1, warm_start_.features_2);
+    warm_start_.normal_1 = -pose_a.rotation.transpose() * (pose_b.rotation * warm_start_.normal_1);
+  }
 }
 
 PairMotion ConvexConvexAlgorithm::MotionToMeet(const btCollisionObject& object_0, const btCollisionObject& object_1,
@@ -160,9 +212,24 @@ void ConvexConvexAlgorithm::WriteContacts(const dgd::ContactPatch<double>& patch
   manifold_->setContactBreakingThreshold(breaking_threshold);
 }
 
-btScalar ConvexConvexAlgorithm::calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&,
-                                                      btManifoldResult*) {
-  return btScalar(1);
+btScalar ConvexConvexAlgorithm::calculateTimeOfImpact(btCollisionObject* body_0, btCollisionObject* body_1,
+                                                      const btDispatcherInfo&, btManifoldResult*) {
+  constexpr btScalar kNever = 1;
+  const btCollisionShape *shape_0 = body_0->getCollisionShape(), *shape_1 = body_1->getCollisionShape();
+  if (!Narrowphase::Handles(shape_0->getShapeType(), shape_1->getShapeType()) || (IsSlow(*body_0) && IsSlow(*body_1))) {
+    return kNever;
+  }
+  const auto moving = [](const btCollisionObject& body, std::shared_ptr<const CachedHull>& hull) -> MovingShape {
+    return {*static_cast<const btConvexShape*>(body.getCollisionShape()), body.getWorldTransform(),
+            body.getInterpolationWorldTransform(), hull};
+  };
+  const MovingShape a = moving(*body_0, hull_0_), b = moving(*body_1, hull_1_);
+  const dgd::TimeOfImpactResult<double> impact =
+      SweepShapes(a, b, narrowphase_.options().geometry_mode, narrowphase_.hulls());
+  if (!Meet(impact, a, b)) return kNever;
+  const btScalar fraction = RoundDown(impact.time);
+  for (btCollisionObject* body : {body_0, body_1}) body->setHitFraction(std::min(body->getHitFraction(), fraction));
+  return fraction;
 }
 
 void ConvexConvexAlgorithm::getAllContactManifolds(btManifoldArray& manifolds) {

@@ -31,7 +31,10 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   void processCollision(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1,
                         const btDispatcherInfo& info, btManifoldResult* output) override;
 
-  /// Answers "no impact", 1: Bullet never asks unless an app dispatches continuously, which nothing of it does.
+  /// The part of the bodies' way from their transforms to their interpolation transforms that they go before they
+  /// touch, or 1: by a sweep of the shapes themselves, never late. Only an app that dispatches continuously asks. As in
+  /// Bullet, bodies whose ways are both below their CCD motion thresholds are not swept, and the bodies' hit fractions
+  /// are lowered. Children of compounds and meshes answer 1: Bullet does not say where they are.
   btScalar calculateTimeOfImpact(btCollisionObject* body_0, btCollisionObject* body_1, const btDispatcherInfo& info,
                                  btManifoldResult* output) override;
 
@@ -46,6 +49,10 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
                                           const btCollisionObjectWrapper* body_1, const btDispatcherInfo& info,
                                           btManifoldResult& output);
 
+  /// Makes the last query's state this one's start: none if the options say so, else in the order that the shapes are
+  /// solved in now.
+  void Recall(bool is_other_order, const Pose& pose_a, const Pose& pose_b);
+
   /// The bodies' motion as far as contacts may meet it before they touch; at rest if none may.
   PairMotion MotionToMeet(const btCollisionObject& object_0, const btCollisionObject& object_1,
                           const btDispatcherInfo& info) const;
@@ -55,10 +62,11 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
 
   Narrowphase& narrowphase_;
   btPersistentManifold* manifold_;
-  std::shared_ptr<const CachedHull> hull_0_, hull_1_;
+  std::shared_ptr<const CachedHull> hull_0_, hull_1_;  // In the order that the shapes are solved in (pair_order.h).
   dgd::WarmStart<double> warm_start_;
   bool owns_manifold_ = false;
-  bool can_follow_ = false;  // The warm start is one for FollowDistance().
+  bool can_follow_ = false;   // The warm start is one for FollowDistance().
+  bool was_swapped_ = false;  // That order is not Bullet's.
   const bool speculative_;
 };
 

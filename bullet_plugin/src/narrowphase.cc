@@ -3,6 +3,7 @@
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+#include <BulletCollision/CollisionShapes/btCollisionShape.h>
 
 #include <cmath>
 #include <new>
@@ -28,6 +29,7 @@ Narrowphase::Narrowphase(const Options& options) : options_(options) {
           options.angular_tolerance);
   require(options.contact_distance >= 0 && std::isfinite(options.contact_distance), "contact_distance",
           ">= 0 and finite, in metres", options.contact_distance);
+  if (options.count_pairs) pair_counters_ = std::make_unique<PairCounters>();
 }
 
 bool Narrowphase::Handles(int type_0, int type_1) {
@@ -38,11 +40,15 @@ bool Narrowphase::Handles(int type_0, int type_1) {
 }
 
 Statistics Narrowphase::statistics() const {
-  return {fallbacks_not_converged_.load(std::memory_order_relaxed),
-          fallbacks_no_interior_.load(std::memory_order_relaxed), fallbacks_invalid_.load(std::memory_order_relaxed)};
+  Statistics statistics;
+  statistics.fallbacks_not_converged = fallbacks_not_converged_.load(std::memory_order_relaxed);
+  statistics.fallbacks_no_interior = fallbacks_no_interior_.load(std::memory_order_relaxed);
+  statistics.fallbacks_invalid = fallbacks_invalid_.load(std::memory_order_relaxed);
+  if (pair_counters_ != nullptr) statistics.pairs = pair_counters_->Read();
+  return statistics;
 }
 
-void Narrowphase::CountFallback(dgd::Status status) {
+void Narrowphase::CountFallback(const btCollisionShape& shape_0, const btCollisionShape& shape_1, dgd::Status status) {
   switch (status) {
     case dgd::Status::kInvalidInput:
       fallbacks_invalid_.fetch_add(1, std::memory_order_relaxed);
@@ -52,6 +58,9 @@ void Narrowphase::CountFallback(dgd::Status status) {
       break;
     default:
       fallbacks_not_converged_.fetch_add(1, std::memory_order_relaxed);
+  }
+  if (pair_counters_ != nullptr) {
+    pair_counters_->CountFallback(shape_0.getShapeType(), shape_1.getShapeType(), status);
   }
 }
 

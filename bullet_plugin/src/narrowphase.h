@@ -6,11 +6,13 @@
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 
 #include <atomic>
+#include <memory>
 
 #include "dgd/growth_distance.h"
 #include "dgd_bullet/options.h"
 #include "dgd_bullet/statistics.h"
 #include "hull_cache.h"
+#include "pair_counters.h"
 
 namespace dgd_bullet {
 
@@ -32,7 +34,10 @@ class Narrowphase {
   HullCache& hulls() { return hulls_; }
   Statistics statistics() const;
 
-  void CountFallback(dgd::Status status);
+  /// Null unless Options::count_pairs.
+  PairCounters* pair_counters() { return pair_counters_.get(); }
+
+  void CountFallback(const btCollisionShape& shape_0, const btCollisionShape& shape_1, dgd::Status status);
 
   /// Answers the pair with Bullet's GJK/EPA, into output's manifold.
   void FallBack(btDispatcher& dispatcher, const btCollisionObjectWrapper* body_0,
@@ -54,6 +59,7 @@ class Narrowphase {
   HullCache hulls_;
   btGjkEpaPenetrationDepthSolver penetration_solver_;
   btConvexConvexAlgorithm::CreateFunc fallback_{&penetration_solver_};
+  std::unique_ptr<PairCounters> pair_counters_;
   std::atomic<std::uint64_t> fallbacks_not_converged_{0};
   std::atomic<std::uint64_t> fallbacks_no_interior_{0};
   std::atomic<std::uint64_t> fallbacks_invalid_{0};

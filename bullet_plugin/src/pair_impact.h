@@ -11,9 +11,8 @@ namespace dgd_bullet {
 /// one on which they then touch. Their approach along that plane's normal alone does not say so: a body that flies past
 /// an edge approaches it too, and a contact would deflect it.
 ///
-/// Conservative advancement: along the normal of a separating plane, the bodies need at least the plane's separation
-/// over their greatest speed of approach to meet; they are moved on by that time, and asked again. Bodies that turn
-/// fast may be missed; bodies that come nearer than a hundredth of their first separation count as touching.
+/// By a sweep (dgd/time_of_impact.h) of a few planes: bodies that turn fast may be missed. Bodies that come nearer than
+/// a hundredth of their first separation count as touching.
 /// @param result  Of the shapes in their present poses; apart.
 bool TouchWithinStep(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Result<double>& result,
                      const PairMotion& motion);

@@ -4,8 +4,6 @@
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
-#include <Eigen/Geometry>
-
 namespace dgd_bullet {
 namespace {
 
@@ -32,11 +30,8 @@ void PairMotion::Read(const btCollisionObject& object, Twist& twist) {
   rim_speed_ += twist.angular.norm() * Reach(object, twist.center);
 }
 
-Pose PairMotion::Twist::Moved(const Pose& pose, double time) const {
-  const double speed = angular.norm();
-  const Matrix3 turn =
-      speed > 0 ? Eigen::AngleAxisd(speed * time, angular / speed).toRotationMatrix() : Matrix3(Matrix3::Identity());
-  return {turn * pose.rotation, center + time * linear + turn * (pose.translation - center)};
+dgd::Motion<double> PairMotion::Twist::MotionOf(const Pose& pose, double time) const {
+  return {pose, time * linear, time * angular, pose.rotation.transpose() * (center - pose.translation)};
 }
 
 PairMotion::PairMotion(const btCollisionObject& body_a, const btCollisionObject& body_b, double time_step)

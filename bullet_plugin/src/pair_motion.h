@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bullet_conversions.h"
+#include "dgd/motion.h"
 
 class btCollisionObject;
 
@@ -28,14 +29,14 @@ class PairMotion {
   }
   double MaxApproach() const { return time_step_ * ((a_.linear - b_.linear).norm() + rim_speed_); }
 
-  /// Where a pose that is fixed to a body is after a part of the time step, in [0, 1].
-  Pose MovedA(const Pose& pose, double part) const { return a_.Moved(pose, part * time_step_); }
-  Pose MovedB(const Pose& pose, double part) const { return b_.Moved(pose, part * time_step_); }
+  /// The way of a pose that is fixed to a body over the time step.
+  dgd::Motion<double> MotionOfA(const Pose& pose) const { return a_.MotionOf(pose, time_step_); }
+  dgd::Motion<double> MotionOfB(const Pose& pose) const { return b_.MotionOf(pose, time_step_); }
 
  private:
   struct Twist {
     Vector3 VelocityAt(const Vector3& point) const { return linear + angular.cross(point - center); }
-    Pose Moved(const Pose& pose, double time) const;
+    dgd::Motion<double> MotionOf(const Pose& pose, double time) const;
 
     Vector3 linear = Vector3::Zero();   // Of the centre of mass, metres per second.
     Vector3 angular = Vector3::Zero();  // Radians per second.

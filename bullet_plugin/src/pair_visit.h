@@ -11,13 +11,12 @@
 
 namespace dgd_bullet {
 
-namespace pair_visit_internal {
-
 using ErasedSet = dgd::RoundedSet<SupportCore>;
 
 template <class Set>
 constexpr bool kIsErased = std::is_same_v<Set, ErasedSet>;
 
+/// A set behind a function pointer; refers to it.
 template <class Set>
 ErasedSet Erase(const Set& set) {
   if constexpr (kIsErased<Set>) {
@@ -26,15 +25,15 @@ ErasedSet Erase(const Set& set) {
     return {SupportCore(set.core), set.radius};
   }
 }
-
-}  // namespace pair_visit_internal
+inline ErasedSet Erase(const ShapeSet& shape) {
+  return std::visit([](const auto& set) { return Erase(set); }, shape);
+}
 
 /// Calls ask(set_a, set_b, settings). A shape that only Bullet can evaluate, and what meets it, go through a function
 /// pointer, and the tolerance is raised to what its rounding allows.
 template <class Ask>
 decltype(auto) VisitPair(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Settings<double>& settings,
                          Ask&& ask) {
-  using namespace pair_visit_internal;
   return std::visit(
       [&]<class SetA, class SetB>(const SetA& set_a, const SetB& set_b) {
         if constexpr (kIsErased<SetA> || kIsErased<SetB>) {

@@ -3,7 +3,6 @@
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 
-#include <memory>
 #include <mutex>
 #include <vector>
 
@@ -11,25 +10,34 @@
 
 namespace dgd_bullet {
 
+std::shared_ptr<Narrowphase> MakeNarrowphase(const Options& options) { return std::make_shared<Narrowphase>(options); }
+
+btCollisionAlgorithmCreateFunc* ContactCreateFunc(Narrowphase& narrowphase, int type_0, int type_1) {
+  return Narrowphase::Handles(type_0, type_1) ? narrowphase.ContactCreateFunc() : nullptr;
+}
+
+btCollisionAlgorithmCreateFunc* ClosestPointsCreateFunc(Narrowphase& narrowphase, int type_0, int type_1) {
+  return Narrowphase::Handles(type_0, type_1) ? narrowphase.ClosestPointsCreateFunc() : nullptr;
+}
+
 const Narrowphase& Register(btCollisionDispatcher* dispatcher, const Options& options) {
   // Never destroyed: a dispatcher with static storage may outlive any object of ours.
   static std::mutex mutex;
-  static auto& registered = *new std::vector<std::unique_ptr<Narrowphase>>();
+  static auto& registered = *new std::vector<std::shared_ptr<Narrowphase>>();
 
-  auto owned = std::make_unique<Narrowphase>(options);
-  Narrowphase& narrowphase = *owned;
+  const std::shared_ptr<Narrowphase> narrowphase = MakeNarrowphase(options);
   {
     const std::lock_guard lock(mutex);
-    registered.push_back(std::move(owned));
+    registered.push_back(narrowphase);
   }
   for (int type_0 = 0; type_0 < MAX_BROADPHASE_COLLISION_TYPES; ++type_0) {
     for (int type_1 = 0; type_1 < MAX_BROADPHASE_COLLISION_TYPES; ++type_1) {
       if (!Narrowphase::Handles(type_0, type_1)) continue;
-      dispatcher->registerCollisionCreateFunc(type_0, type_1, narrowphase.ContactCreateFunc());
-      dispatcher->registerClosestPointsCreateFunc(type_0, type_1, narrowphase.ClosestPointsCreateFunc());
+      dispatcher->registerCollisionCreateFunc(type_0, type_1, narrowphase->ContactCreateFunc());
+      dispatcher->registerClosestPointsCreateFunc(type_0, type_1, narrowphase->ClosestPointsCreateFunc());
     }
   }
-  return narrowphase;
+  return *narrowphase;
 }
 
 Statistics StatisticsOf(const Narrowphase& narrowphase) { return narrowphase.statistics(); }

@@ -11,31 +11,45 @@
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 
 #include <memory>
+#include <utility>
 
 #include "dgd_bullet/options.h"
+#include "dgd_bullet/register.h"
 #include "dgd_bullet/statistics.h"
 
 namespace dgd_bullet {
 
-class Narrowphase;
-
-/// Bullet's default configuration with the growth distance for every pair of convex types, in the contact table and in
-/// the closest-points table. Everything else (compounds, meshes, planes, the two-dimensional types) stays Bullet's.
-/// The dispatcher copies the tables when it is made. As with any Bullet configuration, this object must outlive the
-/// dispatcher and all its pairs.
-class CollisionConfiguration : public btDefaultCollisionConfiguration {
+/// A configuration of Bullet's, or an app's own, with the growth distance for every pair of convex types, in the
+/// contact table and in the closest-points table. Everything else (compounds, meshes, planes, soft bodies, the
+/// two-dimensional types) stays the base's. The dispatcher copies the tables when it is made. As with any Bullet
+/// configuration, this object must outlive the dispatcher and all its pairs.
+///
+///     dgd_bullet::CollisionConfigurationOf<btSoftBodyRigidBodyCollisionConfiguration> configuration;
+template <class Base>
+class CollisionConfigurationOf : public Base {
  public:
-  explicit CollisionConfiguration(const Options& options = {}, const btDefaultCollisionConstructionInfo& info =
-                                                                   btDefaultCollisionConstructionInfo());
-  ~CollisionConfiguration() override;
+  /// @param of_base  What the base is constructed with.
+  /// Throws std::invalid_argument naming an option that is out of range.
+  template <class... Arguments>
+  explicit CollisionConfigurationOf(const Options& options = {}, Arguments&&... of_base)
+      : Base(std::forward<Arguments>(of_base)...), narrowphase_(MakeNarrowphase(options)) {}
 
-  btCollisionAlgorithmCreateFunc* getCollisionAlgorithmCreateFunc(int type0, int type1) override;
-  btCollisionAlgorithmCreateFunc* getClosestPointsAlgorithmCreateFunc(int type0, int type1) override;
+  btCollisionAlgorithmCreateFunc* getCollisionAlgorithmCreateFunc(int type0, int type1) override {
+    btCollisionAlgorithmCreateFunc* ours = ContactCreateFunc(*narrowphase_, type0, type1);
+    return ours != nullptr ? ours : Base::getCollisionAlgorithmCreateFunc(type0, type1);
+  }
+  btCollisionAlgorithmCreateFunc* getClosestPointsAlgorithmCreateFunc(int type0, int type1) override {
+    btCollisionAlgorithmCreateFunc* ours = ClosestPointsCreateFunc(*narrowphase_, type0, type1);
+    return ours != nullptr ? ours : Base::getClosestPointsAlgorithmCreateFunc(type0, type1);
+  }
 
-  Statistics statistics() const;
+  Statistics statistics() const { return StatisticsOf(*narrowphase_); }
 
  private:
-  std::unique_ptr<Narrowphase> narrowphase_;
+  std::shared_ptr<Narrowphase> narrowphase_;
 };
+
+/// In the place of Bullet's default.
+using CollisionConfiguration = CollisionConfigurationOf<btDefaultCollisionConfiguration>;
 
 }  // namespace dgd_bullet

@@ -63,6 +63,14 @@ struct Options {
   /// minute without, 1.3 mm with it (float). Rolling bodies, sliding ones and moving surfaces are not held. Off:
   /// friction opposes speed only, as with Bullet. In manifolds of the pair's own only. Needs contact_patch.
   bool friction_anchors = true;
+
+  /// Start each step's query of a pair from its last answer. Off: the answer depends on nothing but shapes, poses and
+  /// the manifold, so that a world whose bodies and manifolds have been saved and restored goes on bit by bit as
+  /// before; pairs that stay near each other then cost about twice the time.
+  bool warm_start = true;
+
+  /// Fill Statistics::pairs. Threads then share counters; without it, none are touched.
+  bool count_pairs = false;
 };
 
 }  // namespace dgd_bullet

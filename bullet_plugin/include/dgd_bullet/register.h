@@ -1,13 +1,17 @@
 // The growth distance on a dispatcher that already lives, or whose configuration is not yours to change.
 #pragma once
 
+#include <memory>
+
 #include "dgd_bullet/options.h"
 #include "dgd_bullet/statistics.h"
 
 class btCollisionDispatcher;
+struct btCollisionAlgorithmCreateFunc;
 
 namespace dgd_bullet {
 
+/// What the pairs of one dispatcher share: options, hulls, counters.
 class Narrowphase;
 
 /// Registers the growth distance for every pair of convex types, both orders, in the contact table and in the
@@ -18,7 +22,14 @@ inline const Narrowphase& Register(btCollisionDispatcher& dispatcher, const Opti
   return Register(&dispatcher, options);
 }
 
-/// Counters of a registered narrowphase.
+/// Counters of a narrowphase.
 Statistics StatisticsOf(const Narrowphase& narrowphase);
+
+/// For configurations and dispatchers that CollisionConfigurationOf and Register() do not fit: a narrowphase, which
+/// must outlive the dispatcher and all its pairs, and what makes the algorithms of a pair of shape types in the two
+/// tables, null where the types are left to Bullet. Throws std::invalid_argument naming an option that is out of range.
+std::shared_ptr<Narrowphase> MakeNarrowphase(const Options& options);
+btCollisionAlgorithmCreateFunc* ContactCreateFunc(Narrowphase& narrowphase, int type_0, int type_1);
+btCollisionAlgorithmCreateFunc* ClosestPointsCreateFunc(Narrowphase& narrowphase, int type_0, int type_1);
 
 }  // namespace dgd_bullet

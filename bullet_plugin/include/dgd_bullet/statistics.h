@@ -2,17 +2,49 @@
 // had at some moment; together they need not add up then.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace dgd_bullet {
 
-/// Pairs handed to Bullet's GJK/EPA, by reason. Only these rare events are counted, so counting costs nothing.
-struct Statistics {
+/// Calls handed to Bullet's GJK/EPA, by reason.
+struct FallbackCounts {
   std::uint64_t fallbacks_not_converged = 0;  ///< Iteration limit, or bounds that rounding kept apart.
   std::uint64_t fallbacks_no_interior = 0;    ///< Two flat shapes without margins: no growth distance exists.
   std::uint64_t fallbacks_invalid = 0;  ///< NaN or infinity in a pose or a shape: no contacts, from Bullet neither.
 
   std::uint64_t Fallbacks() const { return fallbacks_not_converged + fallbacks_no_interior + fallbacks_invalid; }
 };
+
+/// What the pairs of two types of shapes came to.
+struct PairStatistics : FallbackCounts {
+  /// Bullet's numbers of the types (BOX_SHAPE_PROXYTYPE ...), type_0 <= type_1.
+  int type_0 = 0, type_1 = 0;
+
+  std::uint64_t calls = 0;      ///< How often Bullet asked: the sum of the next three and the fallbacks.
+  std::uint64_t separated = 0;  ///< Early exits: proven to be apart by more than what is asked for.
+  std::uint64_t followed = 0;   ///< Gone on from the last answer, without a growth distance.
+  std::uint64_t solved = 0;     ///< By the growth distance.
+
+  /// Of all calls but the fallbacks, by evaluations of the support functions up to the growth distance, or until the
+  /// last answer was followed: index i counts those with i of them, the last one those with as many or more.
+  static constexpr std::size_t kMaxIterations = 31;
+  std::array<std::uint64_t, kMaxIterations + 1> iterations{};
+  /// Largest relative gap between the bounds, upper_bound / lower_bound - 1, of what was solved.
+  double worst_gap = 0;
+
+  /// Of the same calls, by contact points handed over in the step: none to four.
+  std::array<std::uint64_t, 5> patch_sizes{};
+};
+
+/// The fallbacks are always counted: they are rare.
+struct Statistics : FallbackCounts {
+  std::vector<PairStatistics> pairs;  ///< With Options::count_pairs: an entry for each two types that met.
+};
+
+/// As a JSON object with the members' names; types are named as Bullet names them, without "_SHAPE_PROXYTYPE".
+std::string ToJson(const Statistics& statistics);
 
 }  // namespace dgd_bullet

@@ -1,0 +1,45 @@
+// When two convex shapes that move first touch: in the place of btContinuousConvexCollision, btGjkConvexCast and
+// btSubsimplexConvexCast, behind the same interface.
+//
+//     dgd_bullet::ConvexCast cast(&shape_a, &shape_b);
+//     btConvexCast::CastResult result;
+//     if (cast.calcTimeOfImpact(from_a, to_a, from_b, to_b, result)) ...  // at result.m_fraction
+#pragma once
+
+#include <BulletCollision/NarrowPhaseCollision/btConvexCast.h>
+
+#include <memory>
+
+#include "dgd_bullet/options.h"
+
+class btConvexShape;
+
+namespace dgd_bullet {
+
+/// Both shapes may move and turn, on the way that Bullet's integrator would take from one pose to the other. The answer
+/// is never late: a fraction is given at which the shapes are no nearer than half a nanometre, and no farther apart
+/// than one (more only where their coordinates, or Bullet's support function of a custom shape, are not that exact).
+class ConvexCast : public btConvexCast {
+ public:
+  /// The shapes must outlive this, and may change between casts. Not for several threads at once.
+  /// @param geometry  What their surfaces are.
+  ConvexCast(const btConvexShape* shape_a, const btConvexShape* shape_b, GeometryMode geometry = GeometryMode::kBullet);
+  ~ConvexCast() override;
+
+  /// @return whether the shapes meet. Shapes that touch from the start and move apart do not, nor do any if a shape or
+  ///         a pose is not finite.
+  /// @param result  m_fraction in [0, 1], m_normal from B to A, and m_hitPoint on B, all in the world at that fraction.
+  ///                m_allowedPenetration is not made use of: shapes are stopped before they penetrate.
+  bool calcTimeOfImpact(const btTransform& from_a, const btTransform& to_a, const btTransform& from_b,
+                        const btTransform& to_b, CastResult& result) override;
+
+ private:
+  struct Hulls;
+
+  const btConvexShape* shape_a_;
+  const btConvexShape* shape_b_;
+  GeometryMode geometry_;
+  std::unique_ptr<Hulls> hulls_;
+};
+
+}  // namespace dgd_bullet

@@ -1,0 +1,84 @@
+#include "pair_counters.h"
+
+#include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
+
+#include <algorithm>
+
+namespace dgd_bullet {
+namespace {
+
+constexpr int kTypes = CONCAVE_SHAPES_START_HERE;
+
+void Increment(std::atomic<std::uint64_t>& counter) { counter.fetch_add(1, std::memory_order_relaxed); }
+
+void RaiseTo(double value, std::atomic<double>& largest) {
+  double so_far = largest.load(std::memory_order_relaxed);
+  while (value > so_far && !largest.compare_exchange_weak(so_far, value, std::memory_order_relaxed)) {
+  }
+}
+
+}  // namespace
+
+PairCounters::PairCounters() : rows_(std::size_t(kTypes) * kTypes) {}
+
+PairCounters::Row& PairCounters::RowOf(int type_0, int type_1) {
+  return rows_[static_cast<std::size_t>(std::min(type_0, type_1) * kTypes + std::max(type_0, type_1))];
+}
+
+void PairCounters::Count(int type_0, int type_1, const PairOutcome& outcome) {
+  Row& row = RowOf(type_0, type_1);
+  switch (outcome.way) {
+    case PairOutcome::Way::kSeparated:
+      Increment(row.separated);
+      break;
+    case PairOutcome::Way::kFollowed:
+      Increment(row.followed);
+      break;
+    case PairOutcome::Way::kSolved:
+      Increment(row.solved);
+      RaiseTo(outcome.gap, row.worst_gap);
+      break;
+  }
+  Increment(row.iterations[std::min<std::size_t>(static_cast<std::size_t>(outcome.iterations),
+                                                 PairStatistics::kMaxIterations)]);
+  Increment(row.patch_sizes[static_cast<std::size_t>(outcome.patch_size)]);
+}
+
+void PairCounters::CountFallback(int type_0, int type_1, dgd::Status status) {
+  Row& row = RowOf(type_0, type_1);
+  switch (status) {
+    case dgd::Status::kInvalidInput:
+      return Increment(row.invalid);
+    case dgd::Status::kNoInterior:
+      return Increment(row.no_interior);
+    default:
+      return Increment(row.not_converged);
+  }
+}
+
+std::vector<PairStatistics> PairCounters::Read() const {
+  std::vector<PairStatistics> pairs;
+  const auto read = [](const Counter& counter) { return counter.load(std::memory_order_relaxed); };
+  for (int type_0 = 0; type_0 < kTypes; ++type_0) {
+    for (int type_1 = type_0; type_1 < kTypes; ++type_1) {
+      const Row& row = rows_[static_cast<std::size_t>(type_0 * kTypes + type_1)];
+      PairStatistics pair;
+      pair.type_0 = type_0;
+      pair.type_1 = type_1;
+      pair.separated = read(row.separated);
+      pair.followed = read(row.followed);
+      pair.solved = read(row.solved);
+      pair.fallbacks_not_converged = read(row.not_converged);
+      pair.fallbacks_no_interior = read(row.no_interior);
+      pair.fallbacks_invalid = read(row.invalid);
+      pair.calls = pair.separated + pair.followed + pair.solved + pair.Fallbacks();
+      std::transform(row.iterations.begin(), row.iterations.end(), pair.iterations.begin(), read);
+      std::transform(row.patch_sizes.begin(), row.patch_sizes.end(), pair.patch_sizes.begin(), read);
+      pair.worst_gap = row.worst_gap.load(std::memory_order_relaxed);
+      if (pair.calls > 0) pairs.push_back(pair);
+    }
+  }
+  return pairs;
+}
+
+}  // namespace dgd_bullet

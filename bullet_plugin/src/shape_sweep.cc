@@ -1,0 +1,50 @@
+#include "shape_sweep.h"
+
+#include <BulletCollision/CollisionShapes/btConvexShape.h>
+
+#include <exception>
+
+#include "bullet_conversions.h"
+#include "pair_sweep.h"
+#include "shape_adapter.h"
+
+namespace dgd_bullet {
+namespace {
+
+constexpr int kUpAxis = 2;
+
+/// Of the shape's body, whatever the shape's own axis.
+Motion WayOf(const MovingShape& moving) {
+  return Motion::Between(FromBullet(moving.from, kUpAxis), FromBullet(moving.to, kUpAxis));
+}
+
+Motion WayOf(const MovingShape& moving, const PosedShape& posed) {
+  Motion motion = WayOf(moving);
+  motion.start = posed.pose;
+  return motion;
+}
+
+Vector3 VelocityAt(const Vector3& point, const Motion& motion) {
+  return motion.translation + motion.rotation.cross(point - motion.start.translation);
+}
+
+}  // namespace
+
+dgd::TimeOfImpactResult<double> SweepShapes(const MovingShape& a, const MovingShape& b, GeometryMode geometry,
+                                            HullCache& cache) try {
+  PosedShape shape_a = AdaptShape(a.shape, a.from, geometry, cache, a.hull);
+  PosedShape shape_b = AdaptShape(b.shape, b.from, geometry, cache, b.hull);
+  MoveCentersTogether(shape_a, shape_b);
+  return SweepPair(shape_a, WayOf(a, shape_a), shape_b, WayOf(b, shape_b), {});
+} catch (const std::exception&) {
+  return {};  // A shape that is not one: NaN or infinite sizes, no points.
+}
+
+bool Meet(const dgd::TimeOfImpactResult<double>& result, const MovingShape& a, const MovingShape& b) {
+  if (result.status == dgd::Status::kSeparated || result.status == dgd::Status::kInvalidInput) return false;
+  if (result.time > 0) return true;
+  const Vector3 approach = VelocityAt(result.witness_1, WayOf(a)) - VelocityAt(result.witness_2, WayOf(b));
+  return result.normal.dot(approach) > 0;
+}
+
+}  // namespace dgd_bullet
