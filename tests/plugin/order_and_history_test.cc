@@ -114,14 +114,15 @@ TEST(WarmStartOption, On_LastDigitsTellWhatWasBefore) { EXPECT_FALSE(IsWithoutHi
 /// A pile that falls, and what a save of it holds: the bodies, and the manifolds with their points.
 class Pile {
  public:
-  Pile() : world_(Route::kConfiguration, WithoutHistory()) {
+  explicit Pile(const dgd_bullet::Options& options) : world_(Route::kConfiguration, options) {
     world_.world().getDispatchInfo().m_deterministicOverlappingPairs = true;
     world_.AddGround();
-    btBoxShape& box = world_.Make<btBoxShape>(Vec(0.2, 0.15, 0.1));
     Random random(TestSeed());
+    // Curved: what a query ends with depends on where it began, in more digits than float has.
+    btConeShape& stone = world_.Make<btConeShape>(btScalar(0.2), btScalar(0.3));
     for (int i = 0; i < 12; ++i) {
       const btTransform pose = MakeTransform(random.Rotation(), {0.1 * (i % 2), 0, 0.5 + 0.35 * i});
-      bodies_.push_back(&world_.Add(box, 1, pose));
+      bodies_.push_back(&world_.Add(stone, 1, pose));
       bodies_.back()->setActivationState(DISABLE_DEACTIVATION);
     }
   }
@@ -188,17 +189,25 @@ class Pile {
   std::vector<btRigidBody*> bodies_;
 };
 
-TEST(WarmStartOption, Off_ARestoredWorldGoesOnBitByBitAsTheSavedOne) {
-  Pile pile;
+/// Whether a world that is saved, run, restored and run again ends in the same bits.
+bool ReplaysBitByBit(const dgd_bullet::Options& options) {
+  Pile pile(options);
   pile.Run(150);  // In the midst of its fall.
   const Pile::Save save = pile.Saved();
-  ASSERT_GE(save.manifolds.size(), 8U);
-  pile.Run(6);
+  pile.Run(8);
   const Pile::Save first = pile.Saved();
-  pile.Restore(save);
-  pile.Run(6);
-  EXPECT_TRUE(pile.Saved().bodies == first.bodies);
   EXPECT_FALSE(save.bodies == first.bodies);
+  pile.Restore(save);
+  pile.Run(8);
+  return pile.Saved().bodies == first.bodies;
+}
+
+TEST(WarmStartOption, Off_ARestoredWorldGoesOnBitByBitAsTheSavedOne) { EXPECT_TRUE(ReplaysBitByBit(WithoutHistory())); }
+// The digits that tell are the solver's last, which a world in float most often rounds away.
+TEST(WarmStartOption, On_ARestoredWorldInDoubleRemembersMore) {
+  if (sizeof(btScalar) == 8) {
+    EXPECT_FALSE(ReplaysBitByBit({}));
+  }
 }
 
 }  // namespace
