@@ -1,20 +1,20 @@
 // The README's section "Use the core alone": its snippets, word for word, and what they should give.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <numbers>
 #include <sstream>
 #include <string>
-#include <vector>
 
 #include "dgd/certificate.h"
 #include "dgd/growth_distance.h"
 #include "dgd/half_space_distance.h"
 #include "dgd/shapes.h"
 #include "dgd/signed_distance.h"
+#include "dgd/time_of_impact.h"
+#include "support/readme_snippets.h"
 
 // The upper half of a ball, its flat side in the plane z = 0.
 class Dome {
@@ -97,6 +97,18 @@ TEST(ReadmeCore, SignedDistance_IsBetweenTheNearestPoints) {
   EXPECT_NEAR(distance.upper_bound, 1.25, 1e-12);
   EXPECT_NEAR((distance.witness_1 - Eigen::Vector3d(0.2, 0.1, 0.5)).norm(), 0, 1e-12);
   EXPECT_NEAR((distance.witness_2 - Eigen::Vector3d(0.2, 0.1, 1.75)).norm(), 0, 1e-12);
+}
+
+TEST(ReadmeCore, TurningRod_HitsTheBall) {
+  const dgd::RoundedSet rod{dgd::Box<double>({1, 0.05, 0.05}), 0.05};
+  const dgd::RoundedSet ball = dgd::Sphere(0.2);
+  dgd::Motion<double> turn, rest;
+  turn.rotation = {0, 0, std::numbers::pi / 2};
+  rest.start.translation = {0, 0.8, 0};
+  const dgd::TimeOfImpactResult<double> impact = dgd::TimeOfImpact(rod, turn, ball, rest);
+
+  EXPECT_EQ(impact.status, dgd::Status::kTouching);
+  EXPECT_NEAR(impact.time, 1 - std::asin(0.3 / 0.8) / (std::numbers::pi / 2), 1e-9);
 }
 
 TEST(ReadmeCore, Plane_HasItsOwnSetsAndPoses) {
@@ -193,46 +205,12 @@ TEST(ReadmeCore, Certificate_HoldsForTheResult) {
   EXPECT_TRUE(holds);
 }
 
-/// The lines of a text without the white space around them, empty ones left out.
-std::vector<std::string> LinesOf(const std::string& file) {
-  std::ifstream in(file);
-  EXPECT_TRUE(in.is_open()) << file;
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) {
-    const auto begin = line.find_first_not_of(" \t");
-    if (begin != std::string::npos) lines.push_back(line.substr(begin, line.find_last_not_of(" \t\r") - begin + 1));
-  }
-  return lines;
-}
-
-bool Holds(const std::vector<std::string>& text, const std::vector<std::string>& part) {
-  return std::search(text.begin(), text.end(), part.begin(), part.end()) != text.end();
-}
-
 // So that the README's code is the code that is compiled and tested here.
 TEST(ReadmeCore, Snippets_AreTheseWordForWord) {
   const std::string folder = DGD_TEST_CORE_FOLDER;
-  const std::vector<std::string> program = LinesOf(folder + "/readme/trajectory.cc");
-  const std::vector<std::string> here = LinesOf(folder + "/readme_core_test.cc");
-  bool in_section = false, in_snippet = false;
-  int snippets = 0;
-  std::vector<std::string> snippet;
-  for (const std::string& line : LinesOf(folder + "/../../README.md")) {
-    if (line.starts_with("## ")) in_section = line == "## Use the core alone";
-    if (!in_section) continue;
-    if (in_snippet && line == "```") {
-      in_snippet = false;
-      ++snippets;
-      EXPECT_TRUE(Holds(program, snippet) || Holds(here, snippet)) << "snippet " << snippets << ": " << snippet[0];
-    } else if (in_snippet) {
-      snippet.push_back(line);
-    } else if (line == "```cpp") {
-      in_snippet = true;
-      snippet.clear();
-    }
-  }
-  EXPECT_FALSE(in_snippet);
-  EXPECT_EQ(snippets, 10);
+  const int snippets = dgd_test::ExpectSnippetsIn(folder + "/../../README.md", "## Use the core alone",
+                                                  {folder + "/readme/trajectory.cc", folder + "/readme_core_test.cc"});
+  EXPECT_EQ(snippets, 11);
 }
 
 }  // namespace
