@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <exception>
 #include <optional>
+#include <typeinfo>
 #include <utility>
 
 #include "contact_drawer.h"
@@ -18,6 +19,7 @@
 #include "pair_order.h"
 #include "pair_patch.h"
 #include "pair_solver.h"
+#include "resting_pair.h"
 #include "shape_sweep.h"
 
 namespace dgd_bullet {
@@ -86,6 +88,8 @@ void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* bod
                                              btManifoldResult* output) {
   if (!HasManifold(body_0, body_1)) return;
   output->setPersistentManifold(manifold_);
+  if (StaysAtRest(*body_0, *body_1, info, *output)) return;
+  is_resting_ = false;
   if (const std::optional<dgd::Status> failure = FindContacts(body_0, body_1, info, *output)) {
     narrowphase_.CountFallback(*body_0->getCollisionShape(), *body_1->getCollisionShape(), *failure);
     // Bullet has no answer to what is no shape or no pose either: it reads points that a hull has not, and keeps NaN.
@@ -159,10 +163,42 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
   if (is_swapped) Swap(patch, result);
   if (info.m_debugDraw != nullptr) DrawContacts(patch, result, *info.m_debugDraw);
   WriteContacts(patch, result.normal, output);
+  if (options.keep_resting_contacts && motion.MaxApproach() <= RestingDistance(breaking_threshold)) {
+    is_swapped ? RememberRest(*body_1, *body_0) : RememberRest(*body_0, *body_1);
+  }
   return std::nullopt;
 } catch (const std::exception&) {
   // A shape that is not one: NaN or infinite sizes, no points, no memory for its hull.
   return dgd::Status::kInvalidInput;
+}
+
+bool ConvexConvexAlgorithm::StaysAtRest(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
+                                        const btDispatcherInfo& info, btManifoldResult& output) {
+  // Who derives from Bullet's result wants to see each contact anew, as a debug drawer does.
+  if (!is_resting_ || info.m_debugDraw != nullptr || typeid(output) != typeid(btManifoldResult)) return false;
+  const auto& hull_0 = was_swapped_ ? hull_1_ : hull_0_;
+  const auto& hull_1 = was_swapped_ ? hull_0_ : hull_1_;
+  if (!resting_->IsAsItWas(body_0, body_1, *manifold_, hull_0, hull_1)) return false;
+  KeepContacts(*manifold_, output);
+  if (PairCounters* counters = narrowphase_.pair_counters()) {
+    counters->Count(ShapeOf(&body_0).getShapeType(), ShapeOf(&body_1).getShapeType(),
+                    {.way = PairOutcome::Way::kResting, .patch_size = manifold_->getNumContacts()});
+  }
+  return true;
+}
+
+void ConvexConvexAlgorithm::RememberRest(const btCollisionObjectWrapper& body_0,
+                                         const btCollisionObjectWrapper& body_1) {
+  const Options& options = narrowphase_.options();
+  // What depends on the last step alone must not depend on the step in which the pair came to rest.
+  is_resting_ = owns_manifold_ && options.contact_patch && options.warm_start && RestingPair::CanTell(body_0, body_1);
+  if (!is_resting_) return;
+  const RestingPair resting(body_0, body_1, *manifold_);
+  if (resting_ == nullptr) {
+    resting_ = std::make_unique<RestingPair>(resting);
+  } else {
+    *resting_ = resting;
+  }
 }
 
 void ConvexConvexAlgorithm::Recall(bool is_other_order, const Pose& pose_a, const Pose& pose_b) {

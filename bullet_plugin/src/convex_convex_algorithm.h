@@ -20,6 +20,8 @@
 
 namespace dgd_bullet {
 
+class RestingPair;
+
 class ConvexConvexAlgorithm : public btCollisionAlgorithm {
  public:
   /// @param speculative  Whether points count that the bodies' motion only makes touch within the time step.
@@ -49,6 +51,14 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
                                           const btCollisionObjectWrapper* body_1, const btDispatcherInfo& info,
                                           btManifoldResult& output);
 
+  /// If neither body has moved since the contacts were found, and nothing else that they come from has changed: brings
+  /// them up to date, and true.
+  bool StaysAtRest(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
+                   const btDispatcherInfo& info, btManifoldResult& output);
+
+  /// Notes what the contacts have been found for.
+  void RememberRest(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1);
+
   /// Makes the last query's state this one's start: none if the options say so, else in the order that the shapes are
   /// solved in now.
   void Recall(bool is_other_order, const Pose& pose_a, const Pose& pose_b);
@@ -64,6 +74,8 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   btPersistentManifold* manifold_;
   std::shared_ptr<const CachedHull> hull_0_, hull_1_;  // In the order that the shapes are solved in (pair_order.h).
   dgd::WarmStart<double> warm_start_;
+  std::unique_ptr<RestingPair> resting_;  // Once the pair has rested.
+  bool is_resting_ = false;               // That is what the manifold's contacts have been found for.
   bool owns_manifold_ = false;
   bool can_follow_ = false;   // The warm start is one for FollowDistance().
   bool was_swapped_ = false;  // That order is not Bullet's.

@@ -31,6 +31,9 @@ void PairCounters::Count(int type_0, int type_1, const PairOutcome& outcome) {
     case PairOutcome::Way::kSeparated:
       Increment(row.separated);
       break;
+    case PairOutcome::Way::kResting:
+      Increment(row.resting);
+      break;
     case PairOutcome::Way::kFollowed:
       Increment(row.followed);
       break;
@@ -66,12 +69,13 @@ std::vector<PairStatistics> PairCounters::Read() const {
       pair.type_0 = type_0;
       pair.type_1 = type_1;
       pair.separated = read(row.separated);
+      pair.resting = read(row.resting);
       pair.followed = read(row.followed);
       pair.solved = read(row.solved);
       pair.fallbacks_not_converged = read(row.not_converged);
       pair.fallbacks_no_interior = read(row.no_interior);
       pair.fallbacks_invalid = read(row.invalid);
-      pair.calls = pair.separated + pair.followed + pair.solved + pair.Fallbacks();
+      pair.calls = pair.separated + pair.resting + pair.followed + pair.solved + pair.Fallbacks();
       std::transform(row.iterations.begin(), row.iterations.end(), pair.iterations.begin(), read);
       std::transform(row.patch_sizes.begin(), row.patch_sizes.end(), pair.patch_sizes.begin(), read);
       pair.worst_gap = row.worst_gap.load(std::memory_order_relaxed);

@@ -12,7 +12,7 @@ namespace dgd_bullet {
 
 /// How one call ended.
 struct PairOutcome {
-  enum class Way { kSeparated, kFollowed, kSolved };
+  enum class Way { kSeparated, kResting, kFollowed, kSolved };
 
   Way way = Way::kSolved;
   int iterations = 0;
@@ -34,7 +34,7 @@ class PairCounters {
  private:
   using Counter = std::atomic<std::uint64_t>;
   struct Row {
-    Counter separated{0}, followed{0}, solved{0}, not_converged{0}, no_interior{0}, invalid{0};
+    Counter separated{0}, resting{0}, followed{0}, solved{0}, not_converged{0}, no_interior{0}, invalid{0};
     std::array<Counter, PairStatistics::kMaxIterations + 1> iterations{};
     std::array<Counter, 5> patch_sizes{};
     std::atomic<double> worst_gap{0};

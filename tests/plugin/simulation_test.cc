@@ -110,7 +110,7 @@ TEST_P(Simulation, TowerOfTwentyBoxes_StandsStill) {
     world_.Simulate(TestWorld::kTimeStep);
     for (const btRigidBody* body : tower) fastest = std::max(fastest, double(body->getLinearVelocity().length()));
   }
-  EXPECT_LE(fastest, 0.005);  // Where the tower sways, as on the built-in narrowphase, it is 0.06 and more.
+  EXPECT_LE(fastest, 0.01);  // Where the tower sways, as on the built-in narrowphase, it is 0.06 and more.
 }
 
 // A tilted body lands on an edge or corner, tumbles, and ends on a face: every normal on the way counts.

@@ -23,8 +23,9 @@ struct PairStatistics : FallbackCounts {
   /// Bullet's numbers of the types (BOX_SHAPE_PROXYTYPE ...), type_0 <= type_1.
   int type_0 = 0, type_1 = 0;
 
-  std::uint64_t calls = 0;      ///< How often Bullet asked: the sum of the next three and the fallbacks.
+  std::uint64_t calls = 0;      ///< How often Bullet asked: the sum of the next four and the fallbacks.
   std::uint64_t separated = 0;  ///< Early exits: proven to be apart by more than what is asked for.
+  std::uint64_t resting = 0;    ///< Nothing had moved: the contacts were kept.
   std::uint64_t followed = 0;   ///< Gone on from the last answer, without a growth distance.
   std::uint64_t solved = 0;     ///< By the growth distance.
 

@@ -1,0 +1,113 @@
+#include "resting_pair.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+#include <BulletCollision/CollisionShapes/btConeShape.h>
+#include <BulletCollision/CollisionShapes/btConvexInternalShape.h>
+
+#include "shape_points.h"
+
+namespace dgd_bullet {
+namespace {
+
+/// The numbers that make a shape what it is, besides its margin; of hulls of points, the hull knows.
+btVector3 SizeOf(const btConvexShape& shape, int type) {
+  switch (type) {
+    case CONE_SHAPE_PROXYTYPE: {
+      const auto& cone = static_cast<const btConeShape&>(shape);
+      return {cone.getRadius(), cone.getHeight(), btScalar(cone.getConeUpIndex())};
+    }
+    case SPHERE_SHAPE_PROXYTYPE:
+    case BOX_SHAPE_PROXYTYPE:
+    case CAPSULE_SHAPE_PROXYTYPE:
+    case CYLINDER_SHAPE_PROXYTYPE:
+      return static_cast<const btConvexInternalShape&>(shape).getImplicitShapeDimensions();
+    default:
+      return {0, 0, 0};
+  }
+}
+
+bool HasComparableShape(const btCollisionObjectWrapper& body) {
+  switch (const int type = body.getCollisionShape()->getShapeType()) {
+    case CONE_SHAPE_PROXYTYPE:
+    case SPHERE_SHAPE_PROXYTYPE:
+    case BOX_SHAPE_PROXYTYPE:
+    case CAPSULE_SHAPE_PROXYTYPE:
+    case CYLINDER_SHAPE_PROXYTYPE:
+      return true;
+    default:
+      return IsHullOfPoints(type);
+  }
+}
+
+bool HasPlainMaterial(const btCollisionObject& body) {
+  constexpr int kSeenByTheApp = btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK |
+                                btCollisionObject::CF_HAS_CONTACT_STIFFNESS_DAMPING |
+                                btCollisionObject::CF_HAS_FRICTION_ANCHOR;
+  return (body.getCollisionFlags() & kSeenByTheApp) == 0;
+}
+
+/// A bound on the way of the points of a body whose farthest one is at most `reach` from its origin.
+btScalar Way(const btTransform& from, const btTransform& to, btScalar reach) {
+  btScalar turn_sq = 0;
+  for (int row = 0; row < 3; ++row) turn_sq += (to.getBasis()[row] - from.getBasis()[row]).length2();
+  return (to.getOrigin() - from.getOrigin()).length() + reach * btSqrt(turn_sq);
+}
+
+btScalar ReachOf(const btCollisionObject& body, const btVector3& origin) {
+  const btBroadphaseProxy* proxy = body.getBroadphaseHandle();
+  if (proxy == nullptr) return body.getCollisionShape()->getAngularMotionDisc();
+  btVector3 farthest = (proxy->m_aabbMax - origin).absolute();
+  farthest.setMax((proxy->m_aabbMin - origin).absolute());
+  return farthest.length();
+}
+
+}  // namespace
+
+RestingPair::RestingPair(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
+                         const btPersistentManifold& manifold)
+    : sides_{SideOf(body_0), SideOf(body_1)}, contacts_(manifold.getNumContacts()) {}
+
+bool RestingPair::CanTell(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1) {
+  return HasComparableShape(body_0) && HasComparableShape(body_1) && HasPlainMaterial(*body_0.getCollisionObject()) &&
+         HasPlainMaterial(*body_1.getCollisionObject());
+}
+
+bool RestingPair::IsAsItWas(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
+                            const btPersistentManifold& manifold, const Hull& hull_0, const Hull& hull_1) const {
+  const auto distance = btScalar(RestingDistance(double(manifold.getContactBreakingThreshold())));
+  return manifold.getNumContacts() == contacts_ && IsSame(sides_[0], body_0, hull_0, distance) &&
+         IsSame(sides_[1], body_1, hull_1, distance) && CanTell(body_0, body_1);
+}
+
+RestingPair::Side RestingPair::SideOf(const btCollisionObjectWrapper& body) {
+  const auto& shape = static_cast<const btConvexShape&>(*body.getCollisionShape());
+  const int type = shape.getShapeType();
+  return {&shape, type, SizeOf(shape, type), shape.getMargin(), body.getWorldTransform()};
+}
+
+bool RestingPair::IsSame(const Side& then, const btCollisionObjectWrapper& body, const Hull& hull, btScalar distance) {
+  const auto* shape = static_cast<const btConvexShape*>(body.getCollisionShape());
+  if (shape != then.shape) return false;
+  // False also where a pose is not finite.
+  const btTransform& pose = body.getWorldTransform();
+  if (!(Way(then.pose, pose, ReachOf(*body.getCollisionObject(), pose.getOrigin())) <= distance)) return false;
+  const int type = shape->getShapeType();
+  if (type != then.type || shape->getMargin() != then.margin) return false;
+  return IsHullOfPoints(type) ? hull != nullptr && hull->Matches(*shape) : SizeOf(*shape, type) == then.size;
+}
+
+void KeepContacts(btPersistentManifold& manifold, btManifoldResult& output) {
+  const btCollisionObject* body_0 = output.getBody0Internal();
+  const btCollisionObject* body_1 = output.getBody1Internal();
+  for (int i = 0; i < manifold.getNumContacts(); ++i) {
+    btManifoldPoint& point = manifold.getContactPoint(i);
+    point.m_combinedFriction = gCalculateCombinedFrictionCallback(body_0, body_1);
+    point.m_combinedRestitution = gCalculateCombinedRestitutionCallback(body_0, body_1);
+    point.m_combinedRollingFriction = gCalculateCombinedRollingFrictionCallback(body_0, body_1);
+    point.m_combinedSpinningFriction = gCalculateCombinedSpinningFrictionCallback(body_0, body_1);
+  }
+  output.refreshContactPoints();
+}
+
+}  // namespace dgd_bullet

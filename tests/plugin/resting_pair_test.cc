@@ -1,0 +1,178 @@
+// Contacts of bodies that lie still: when they are kept, and what makes them be found anew.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <functional>
+
+#include "plugin/shape_zoo.h"
+#include "plugin/test_world.h"
+
+namespace dgd_test {
+namespace {
+
+class RestingPair : public testing::Test {
+ protected:
+  static dgd_bullet::Options Counting() {
+    dgd_bullet::Options options;
+    options.count_pairs = true;
+    return options;
+  }
+
+  RestingPair() {
+    world_.AddGround();
+    body_ = &world_.Add(box_, 1, Vec(0, 0, 0.499));
+    Detect();
+  }
+
+  /// One collision detection; whether the pair was told to be as it was.
+  bool Detect() {
+    const std::uint64_t before = Resting();
+    world_.Detect();
+    return Resting() > before;
+  }
+
+  std::uint64_t Resting() const {
+    std::uint64_t resting = 0;
+    for (const dgd_bullet::PairStatistics& pair : world_.statistics().pairs) resting += pair.resting;
+    return resting;
+  }
+
+  btPersistentManifold& Manifold() { return *world_.dispatcher().getManifoldByIndexInternal(0); }
+  void MoveBody(const btVector3& way) { body_->getWorldTransform().getOrigin() += way; }
+
+  TestWorld world_{Route::kConfiguration, Counting()};
+  btBoxShape& box_ = world_.Make<btBoxShape>(Vec(0.5, 0.5, 0.5));
+  btRigidBody* body_ = nullptr;
+};
+
+TEST_F(RestingPair, Still_KeepsItsContactsAndTheirImpulses) {
+  Manifold().getContactPoint(0).m_appliedImpulse = 7;
+  const int life_time = Manifold().getContactPoint(0).getLifeTime();
+  for (int i = 1; i <= 3; ++i) {
+    EXPECT_TRUE(Detect());
+    EXPECT_EQ(Manifold().getNumContacts(), 4);
+    EXPECT_EQ(Manifold().getContactPoint(0).m_appliedImpulse, btScalar(7));
+    EXPECT_EQ(Manifold().getContactPoint(0).getLifeTime(), life_time + i);
+  }
+}
+
+TEST_F(RestingPair, MovedWithinTheDistance_HasItsDistancesBroughtUpToDate) {
+  MoveBody(Vec(0, 0, 1e-5));
+  EXPECT_TRUE(Detect());
+  for (int i = 0; i < 4; ++i) EXPECT_NEAR(double(Manifold().getContactPoint(i).getDistance()), -0.001 + 1e-5, 1e-6);
+}
+
+TEST_F(RestingPair, SmallSteps_AddUpFromWhereTheContactsWereFound) {
+  int kept = 0;
+  for (int i = 0; i < 30; ++i) {
+    MoveBody(Vec(3e-6, 0, 0));
+    kept += Detect();
+  }
+  // Ninety micrometres, a new find for each seventeen or so: the threshold is 17 mm.
+  EXPECT_GE(kept, 20);
+  EXPECT_LE(kept, 26);
+}
+
+TEST_F(RestingPair, WhateverChanges_IsFoundAnew) {
+  const std::pair<const char*, std::function<void()>> changes[] = {
+      {"moved", [&] { MoveBody(Vec(1e-4, 0, 0)); }},
+      {"turned", [&] { body_->getWorldTransform().setRotation(btQuaternion(Vec(0, 0, 1), btScalar(1e-4))); }},
+      {"margin", [&] { box_.setMargin(btScalar(0.02)); }},
+      {"scaling", [&] { box_.setLocalScaling(Vec(1, 1, 1.001)); }},
+      {"contacts cleared", [&] { Manifold().clearManifold(); }},
+      {"one contact removed", [&] { Manifold().removeContactPoint(2); }},
+      {"velocity", [&] { body_->setLinearVelocity(Vec(0, 0, -1)); }},
+  };
+  for (const auto& [name, change] : changes) {
+    SCOPED_TRACE(name);
+    ASSERT_TRUE(Detect());
+    change();
+    const bool moves = body_->getLinearVelocity().length2() > 0;
+    EXPECT_EQ(Detect(), moves) << "what only may move, is where it was";
+    EXPECT_EQ(Manifold().getNumContacts(), 4);
+  }
+}
+
+TEST_F(RestingPair, AnotherShapeAtTheSamePlace_IsSeen) {
+  btSphereShape& ball = world_.Make<btSphereShape>(btScalar(0.5));
+  ASSERT_TRUE(Detect());
+  body_->setCollisionShape(&ball);
+  EXPECT_FALSE(Detect());
+  EXPECT_EQ(Manifold().getNumContacts(), 1);
+  EXPECT_TRUE(Detect());
+  ball.setUnscaledRadius(btScalar(0.501));
+  EXPECT_FALSE(Detect());
+  EXPECT_NEAR(double(Manifold().getContactPoint(0).getDistance()), -0.002, 1e-5);
+}
+
+TEST_F(RestingPair, HullWhosePointMoves_IsSeen) {
+  const auto hull = MakePrism(4, 0.5, 0.5);
+  body_->setCollisionShape(hull.get());
+  hull->setMargin(0);
+  Detect();
+  ASSERT_TRUE(Detect());
+  hull->getUnscaledPoints()[0].setZ(btScalar(-0.51));
+  hull->recalcLocalAabb();
+  EXPECT_FALSE(Detect());
+  body_->setCollisionShape(&box_);
+}
+
+TEST_F(RestingPair, FrictionOfTheBodies_CountsAtOnce) {
+  body_->setFriction(btScalar(0.25));
+  ASSERT_TRUE(Detect());
+  const double ground = double(Manifold().getBody0() == body_ ? Manifold().getBody1()->getFriction()
+                                                              : Manifold().getBody0()->getFriction());
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_NEAR(double(Manifold().getContactPoint(i).m_combinedFriction), 0.25 * ground, 1e-7);
+  }
+}
+
+TEST_F(RestingPair, ContactsThatTheAppColours_AreHandedOverAtEachStep) {
+  body_->setCollisionFlags(body_->getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+  EXPECT_FALSE(Detect());
+  EXPECT_FALSE(Detect());
+  body_->setCollisionFlags(body_->getCollisionFlags() & ~btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+  Detect();
+  EXPECT_TRUE(Detect());
+}
+
+TEST_F(RestingPair, NotANumber_IsNoRest) {
+  ASSERT_TRUE(Detect());
+  const btTransform pose = body_->getWorldTransform();
+  body_->getWorldTransform().getOrigin().setX(std::numeric_limits<btScalar>::quiet_NaN());
+  EXPECT_FALSE(Detect());
+  body_->setWorldTransform(pose);
+}
+
+TEST(RestingPairOption, Off_FindsAnewAtEachStep) {
+  dgd_bullet::Options options;
+  options.count_pairs = true;
+  options.keep_resting_contacts = false;
+  TestWorld world(Route::kConfiguration, options);
+  world.AddGround();
+  world.Add(world.Make<btBoxShape>(Vec(0.5, 0.5, 0.5)), 1, Vec(0, 0, 0.499));
+  for (int i = 0; i < 3; ++i) world.Detect();
+  EXPECT_EQ(world.statistics().pairs[0].resting, 0U);
+}
+
+/// A body that is carried along keeps no contact from where it was: the carrier's normal turns with it.
+TEST(RestingPairOption, OnATurningCarrier_NormalsTurnWithIt) {
+  TestWorld world(Route::kConfiguration);
+  btRigidBody& carrier = world.Add(world.Make<btBoxShape>(Vec(1, 1, 0.1)), 0, Vec(0, 0, 0));
+  btRigidBody& rider = world.Add(world.Make<btBoxShape>(Vec(0.2, 0.2, 0.2)), 1, Vec(0, 0, 0.299));
+  for (int step = 0; step <= 100; ++step) {
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(1e-3 * step, Vector::UnitX()).toRotationMatrix();
+    carrier.setWorldTransform(MakeTransform(turn, {0, 0, 0}));
+    rider.setWorldTransform(MakeTransform(turn, turn * Vector(0, 0, 0.299)));
+    world.Detect();
+    const std::vector<btManifoldPoint> points = world.Points();
+    ASSERT_EQ(points.size(), 4U);
+    for (const btManifoldPoint& point : points) {
+      EXPECT_NEAR(std::abs(ToEigen(point.m_normalWorldOnB).dot(turn * Vector::UnitZ())), 1, 1e-6) << step;
+      EXPECT_NEAR(double(point.getDistance()), -0.001, 2e-5);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dgd_test
