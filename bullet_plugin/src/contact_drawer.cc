@@ -38,9 +38,14 @@ std::array<int, dgd::ContactPatch<double>::kMaxPoints> Around(const dgd::Contact
 
 }  // namespace
 
+bool WantsContacts(const btIDebugDraw* drawer) {
+  constexpr int kContacts = btIDebugDraw::DBG_DrawContactPoints | btIDebugDraw::DBG_DrawText;
+  return drawer != nullptr && (drawer->getDebugMode() & kContacts) != 0;
+}
+
 void DrawContacts(const dgd::ContactPatch<double>& patch, const dgd::Result<double>& result, btIDebugDraw& drawer) {
+  if (patch.size == 0) return;
   const int mode = drawer.getDebugMode();
-  if (patch.size == 0 || (mode & (btIDebugDraw::DBG_DrawContactPoints | btIDebugDraw::DBG_DrawText)) == 0) return;
   if ((mode & btIDebugDraw::DBG_DrawContactPoints) != 0) {
     const auto order = Around(patch, result.normal);
     for (int i = 0; i < patch.size; ++i) {

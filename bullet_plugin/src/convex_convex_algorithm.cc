@@ -161,7 +161,7 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
                     OutcomeOf(result, has_followed, patch.size));
   }
   if (is_swapped) Swap(patch, result);
-  if (info.m_debugDraw != nullptr) DrawContacts(patch, result, *info.m_debugDraw);
+  if (WantsContacts(info.m_debugDraw)) DrawContacts(patch, result, *info.m_debugDraw);
   WriteContacts(patch, result.normal, output);
   if (options.keep_resting_contacts && motion.MaxApproach() <= RestingDistance(breaking_threshold)) {
     is_swapped ? RememberRest(*body_1, *body_0) : RememberRest(*body_0, *body_1);
@@ -175,10 +175,11 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
 bool ConvexConvexAlgorithm::StaysAtRest(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
                                         const btDispatcherInfo& info, btManifoldResult& output) {
   // Who derives from Bullet's result wants to see each contact anew, as a debug drawer does.
-  if (!is_resting_ || info.m_debugDraw != nullptr || typeid(output) != typeid(btManifoldResult)) return false;
+  if (!is_resting_ || WantsContacts(info.m_debugDraw) || typeid(output) != typeid(btManifoldResult)) return false;
   const auto& hull_0 = was_swapped_ ? hull_1_ : hull_0_;
   const auto& hull_1 = was_swapped_ ? hull_0_ : hull_1_;
   if (!resting_->IsAsItWas(body_0, body_1, *manifold_, hull_0, hull_1)) return false;
+  if (narrowphase_.options().friction_anchors) FrictionAnchors::HoldKept(*manifold_);
   KeepContacts(*manifold_, output);
   if (PairCounters* counters = narrowphase_.pair_counters()) {
     counters->Count(ShapeOf(&body_0).getShapeType(), ShapeOf(&body_1).getShapeType(),
@@ -191,7 +192,9 @@ void ConvexConvexAlgorithm::RememberRest(const btCollisionObjectWrapper& body_0,
                                          const btCollisionObjectWrapper& body_1) {
   const Options& options = narrowphase_.options();
   // What depends on the last step alone must not depend on the step in which the pair came to rest.
-  is_resting_ = owns_manifold_ && options.contact_patch && options.warm_start && RestingPair::CanTell(body_0, body_1);
+  const double distance = RestingDistance(double(manifold_->getContactBreakingThreshold()));
+  is_resting_ =
+      owns_manifold_ && options.contact_patch && options.warm_start && RestingPair::CanTell(body_0, body_1, distance);
   if (!is_resting_) return;
   const RestingPair resting(body_0, body_1, *manifold_);
   if (resting_ == nullptr) {

@@ -7,13 +7,16 @@
 namespace dgd_bullet {
 namespace {
 
-/// Of the breaking threshold: a body that slips by more has slid. By measurement (contact_report, float): with this
-/// scenes/pyramid_28.json creeps by 1.3 mm in a minute, with a tenth of it by 25 mm.
+/// Of the breaking threshold: a body that slips by more has slid. By measurement (contact_report, float, no resting
+/// contacts kept): with this scenes/pyramid_28.json creeps by 1.3 mm in a minute, with a tenth of it by 25 mm.
 constexpr btScalar kMaxSlip = btScalar(0.01);
 
 /// Contact flags are bits of an integer in Bullet.
 constexpr int kAnchored = BT_CONTACT_FLAG_FRICTION_ANCHOR;
 constexpr int kNotOurs = kAnchored | BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED;
+
+/// On fewer points bodies rock, and would be given back what they slipped: fifty polytopes come to rest a tenth later.
+constexpr int kFewestOfFace = 3;
 
 bool Sticks(const btManifoldPoint& point) {
   const btScalar lateral_1 = point.m_appliedImpulseLateral1, lateral_2 = point.m_appliedImpulseLateral2;
@@ -35,8 +38,6 @@ void FrictionAnchors::Restore(btPersistentManifold& manifold) const {
   const btTransform& pose_a = manifold.getBody0()->getWorldTransform();
   const btTransform& pose_b = manifold.getBody1()->getWorldTransform();
   const btScalar max_slip = kMaxSlip * manifold.getContactBreakingThreshold();
-  // On fewer points bodies rock, and would be given back what they slipped: fifty polytopes come to rest a tenth later.
-  constexpr int kFewestOfFace = 3;
   if (manifold.getNumContacts() < kFewestOfFace) return;
   for (int i = 0; i < size_ && i < manifold.getNumContacts(); ++i) {
     const Anchor& anchor = anchors_[static_cast<std::size_t>(i)];
@@ -53,6 +54,14 @@ void FrictionAnchors::Restore(btPersistentManifold& manifold) const {
     point.m_localPointA = pose_a.invXform(point.m_positionWorldOnA + btScalar(0.5) * slip);
     point.m_localPointB = pose_b.invXform(point.m_positionWorldOnB - btScalar(0.5) * slip);
     point.m_contactPointFlags |= kAnchored;
+  }
+}
+
+void FrictionAnchors::HoldKept(btPersistentManifold& manifold) {
+  if (manifold.getNumContacts() < kFewestOfFace) return;
+  for (int i = 0; i < manifold.getNumContacts(); ++i) {
+    btManifoldPoint& point = manifold.getContactPoint(i);
+    if ((point.m_contactPointFlags & kNotOurs) == 0 && Sticks(point)) point.m_contactPointFlags |= kAnchored;
   }
 }
 

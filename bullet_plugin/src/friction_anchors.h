@@ -26,6 +26,10 @@ class FrictionAnchors {
   /// surfaces with a motion of their own, such as belts.
   void Restore(btPersistentManifold& manifold) const;
 
+  /// For a manifold whose points have been kept, not found anew: those that stuck in the last step are held where they
+  /// were found.
+  static void HoldKept(btPersistentManifold& manifold);
+
  private:
   struct Anchor {
     btVector3 on_a, on_b;  // In the bodies' frames, metres.

@@ -5,6 +5,8 @@
 #include <BulletCollision/CollisionShapes/btConeShape.h>
 #include <BulletCollision/CollisionShapes/btConvexInternalShape.h>
 
+#include <limits>
+
 #include "shape_points.h"
 
 namespace dgd_bullet {
@@ -47,6 +49,12 @@ bool HasPlainMaterial(const btCollisionObject& body) {
   return (body.getCollisionFlags() & kSeenByTheApp) == 0;
 }
 
+/// What poses are rounded to is no motion: small bodies far from the origin tremble by it.
+bool IsFarAboveRounding(double distance, const btCollisionObjectWrapper& body) {
+  constexpr double kDigits = 8 * double(std::numeric_limits<btScalar>::epsilon());
+  return distance >= kDigits * double(body.getWorldTransform().getOrigin().length());
+}
+
 /// A bound on the way of the points of a body whose farthest one is at most `reach` from its origin.
 btScalar Way(const btTransform& from, const btTransform& to, btScalar reach) {
   btScalar turn_sq = 0;
@@ -68,8 +76,10 @@ RestingPair::RestingPair(const btCollisionObjectWrapper& body_0, const btCollisi
                          const btPersistentManifold& manifold)
     : sides_{SideOf(body_0), SideOf(body_1)}, contacts_(manifold.getNumContacts()) {}
 
-bool RestingPair::CanTell(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1) {
-  return HasComparableShape(body_0) && HasComparableShape(body_1) && HasPlainMaterial(*body_0.getCollisionObject()) &&
+bool RestingPair::CanTell(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
+                          double distance) {
+  return IsFarAboveRounding(distance, body_0) && IsFarAboveRounding(distance, body_1) && HasComparableShape(body_0) &&
+         HasComparableShape(body_1) && HasPlainMaterial(*body_0.getCollisionObject()) &&
          HasPlainMaterial(*body_1.getCollisionObject());
 }
 
@@ -77,7 +87,8 @@ bool RestingPair::IsAsItWas(const btCollisionObjectWrapper& body_0, const btColl
                             const btPersistentManifold& manifold, const Hull& hull_0, const Hull& hull_1) const {
   const auto distance = btScalar(RestingDistance(double(manifold.getContactBreakingThreshold())));
   return manifold.getNumContacts() == contacts_ && IsSame(sides_[0], body_0, hull_0, distance) &&
-         IsSame(sides_[1], body_1, hull_1, distance) && CanTell(body_0, body_1);
+         IsSame(sides_[1], body_1, hull_1, distance) && HasPlainMaterial(*body_0.getCollisionObject()) &&
+         HasPlainMaterial(*body_1.getCollisionObject());
 }
 
 RestingPair::Side RestingPair::SideOf(const btCollisionObjectWrapper& body) {
@@ -98,14 +109,19 @@ bool RestingPair::IsSame(const Side& then, const btCollisionObjectWrapper& body,
 }
 
 void KeepContacts(btPersistentManifold& manifold, btManifoldResult& output) {
+  if (manifold.getNumContacts() == 0) return;
   const btCollisionObject* body_0 = output.getBody0Internal();
   const btCollisionObject* body_1 = output.getBody1Internal();
+  const btScalar friction = gCalculateCombinedFrictionCallback(body_0, body_1);
+  const btScalar restitution = gCalculateCombinedRestitutionCallback(body_0, body_1);
+  const btScalar rolling = gCalculateCombinedRollingFrictionCallback(body_0, body_1);
+  const btScalar spinning = gCalculateCombinedSpinningFrictionCallback(body_0, body_1);
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     btManifoldPoint& point = manifold.getContactPoint(i);
-    point.m_combinedFriction = gCalculateCombinedFrictionCallback(body_0, body_1);
-    point.m_combinedRestitution = gCalculateCombinedRestitutionCallback(body_0, body_1);
-    point.m_combinedRollingFriction = gCalculateCombinedRollingFrictionCallback(body_0, body_1);
-    point.m_combinedSpinningFriction = gCalculateCombinedSpinningFrictionCallback(body_0, body_1);
+    point.m_combinedFriction = friction;
+    point.m_combinedRestitution = restitution;
+    point.m_combinedRollingFriction = rolling;
+    point.m_combinedSpinningFriction = spinning;
   }
   output.refreshContactPoints();
 }

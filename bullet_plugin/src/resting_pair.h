@@ -32,8 +32,8 @@ class RestingPair {
               const btPersistentManifold& manifold);
 
   /// Whether a pair can be told to be as it was: shapes whose numbers can be compared, and bodies whose contacts an app
-  /// does not want to see anew at each step, for it colours them.
-  static bool CanTell(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1);
+  /// does not want to see anew at each step, for it colours them; where poses are exact enough to tell the distance.
+  static bool CanTell(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1, double distance);
 
   /// Whether both bodies are still in their places, their shapes are what they were, and the manifold holds the
   /// contacts that were left in it.

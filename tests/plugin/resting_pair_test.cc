@@ -62,6 +62,29 @@ TEST_F(RestingPair, MovedWithinTheDistance_HasItsDistancesBroughtUpToDate) {
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(double(Manifold().getContactPoint(i).getDistance()), -0.001 + 1e-5, 1e-6);
 }
 
+// A pair that rests from its first step on has had no second one that would have found its points sticking.
+TEST_F(RestingPair, PointsThatStick_AreHeldWhereTheyAre) {
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_EQ(Manifold().getContactPoint(i).m_contactPointFlags & BT_CONTACT_FLAG_FRICTION_ANCHOR, 0);
+    Manifold().getContactPoint(i).m_appliedImpulse = btScalar(i > 0);
+  }
+  ASSERT_TRUE(Detect());
+  for (int i = 0; i < 4; ++i) {
+    const bool is_held = (Manifold().getContactPoint(i).m_contactPointFlags & BT_CONTACT_FLAG_FRICTION_ANCHOR) != 0;
+    EXPECT_EQ(is_held, i > 0) << "what carries nothing does not stick";
+  }
+}
+
+// Two centimetres across, ten metres from the origin: a thousandth of its threshold is less than its pose's last digit.
+TEST_F(RestingPair, BodyThatItsPosesRoundingMoves_IsNotAtRestInFloat) {
+  btBoxShape& tiny = world_.Make<btBoxShape>(Vec(0.01, 0.01, 0.01));
+  world_.Add(tiny, 1, Vec(7, 7, 0.0099));
+  Detect();
+  const std::uint64_t before = Resting();
+  Detect();
+  EXPECT_EQ(Resting() - before, sizeof(btScalar) == 8 ? 2U : 1U) << "the other one rests";
+}
+
 TEST_F(RestingPair, SmallSteps_AddUpFromWhereTheContactsWereFound) {
   int kept = 0;
   for (int i = 0; i < 30; ++i) {

@@ -60,8 +60,9 @@ struct Options {
 
   /// Contacts of faces that stick are held where they stuck: Bullet's solver takes back what they have slipped by
   /// since, within the friction cone, and piles do not creep: the blocks of scenes/pyramid_28.json move by 37 mm in a
-  /// minute without, 1.3 mm with it (float). Rolling bodies, sliding ones and moving surfaces are not held. Off:
-  /// friction opposes speed only, as with Bullet. In manifolds of the pair's own only. Needs contact_patch.
+  /// minute without, 1.3 mm with it (float, without keep_resting_contacts). Rolling bodies, sliding ones and moving
+  /// surfaces are not held. Off: friction opposes speed only, as with Bullet. In manifolds of the pair's own only.
+  /// Needs contact_patch.
   bool friction_anchors = true;
 
   /// Bodies that have not moved by more than a thousandth of the breaking threshold (20 micrometres for large ones)
