@@ -2,8 +2,10 @@
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+#include <BulletCollision/CollisionShapes/btCapsuleShape.h>
 #include <BulletCollision/CollisionShapes/btConeShape.h>
 #include <BulletCollision/CollisionShapes/btConvexInternalShape.h>
+#include <BulletCollision/CollisionShapes/btCylinderShape.h>
 
 #include <limits>
 
@@ -17,7 +19,7 @@ btVector3 SizeOf(const btConvexShape& shape, int type) {
   switch (type) {
     case CONE_SHAPE_PROXYTYPE: {
       const auto& cone = static_cast<const btConeShape&>(shape);
-      return {cone.getRadius(), cone.getHeight(), btScalar(cone.getConeUpIndex())};
+      return {cone.getRadius(), cone.getHeight(), 0};
     }
     case SPHERE_SHAPE_PROXYTYPE:
     case BOX_SHAPE_PROXYTYPE:
@@ -26,6 +28,20 @@ btVector3 SizeOf(const btConvexShape& shape, int type) {
       return static_cast<const btConvexInternalShape&>(shape).getImplicitShapeDimensions();
     default:
       return {0, 0, 0};
+  }
+}
+
+/// Of shapes that have one: another of the same size may have taken the address.
+int AxisOf(const btConvexShape& shape, int type) {
+  switch (type) {
+    case CONE_SHAPE_PROXYTYPE:
+      return static_cast<const btConeShape&>(shape).getConeUpIndex();
+    case CAPSULE_SHAPE_PROXYTYPE:
+      return static_cast<const btCapsuleShape&>(shape).getUpAxis();
+    case CYLINDER_SHAPE_PROXYTYPE:
+      return static_cast<const btCylinderShape&>(shape).getUpAxis();
+    default:
+      return 0;
   }
 }
 
@@ -94,7 +110,7 @@ bool RestingPair::IsAsItWas(const btCollisionObjectWrapper& body_0, const btColl
 RestingPair::Side RestingPair::SideOf(const btCollisionObjectWrapper& body) {
   const auto& shape = static_cast<const btConvexShape&>(*body.getCollisionShape());
   const int type = shape.getShapeType();
-  return {&shape, type, SizeOf(shape, type), shape.getMargin(), body.getWorldTransform()};
+  return {&shape, type, AxisOf(shape, type), SizeOf(shape, type), shape.getMargin(), body.getWorldTransform()};
 }
 
 bool RestingPair::IsSame(const Side& then, const btCollisionObjectWrapper& body, const Hull& hull, btScalar distance) {
@@ -105,7 +121,8 @@ bool RestingPair::IsSame(const Side& then, const btCollisionObjectWrapper& body,
   if (!(Way(then.pose, pose, ReachOf(*body.getCollisionObject(), pose.getOrigin())) <= distance)) return false;
   const int type = shape->getShapeType();
   if (type != then.type || shape->getMargin() != then.margin) return false;
-  return IsHullOfPoints(type) ? hull != nullptr && hull->Matches(*shape) : SizeOf(*shape, type) == then.size;
+  if (IsHullOfPoints(type)) return hull != nullptr && hull->Matches(*shape);
+  return AxisOf(*shape, type) == then.axis && SizeOf(*shape, type) == then.size;
 }
 
 void KeepContacts(btPersistentManifold& manifold, btManifoldResult& output) {

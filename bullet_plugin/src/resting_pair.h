@@ -45,6 +45,7 @@ class RestingPair {
   struct Side {
     const btConvexShape* shape;
     int type;
+    int axis;
     btVector3 size;
     btScalar margin;
     btTransform pose;

@@ -3,6 +3,9 @@
 
 #include <Eigen/Geometry>
 #include <functional>
+#include <limits>
+#include <new>
+#include <utility>
 
 #include "plugin/shape_zoo.h"
 #include "plugin/test_world.h"
@@ -126,6 +129,19 @@ TEST_F(RestingPair, AnotherShapeAtTheSamePlace_IsSeen) {
   ball.setUnscaledRadius(btScalar(0.501));
   EXPECT_FALSE(Detect());
   EXPECT_NEAR(double(Manifold().getContactPoint(0).getDistance()), -0.002, 1e-5);
+}
+
+TEST_F(RestingPair, ShapeOfTheSameSizeAtTheSameAddress_IsSeen) {
+  alignas(16) unsigned char memory[sizeof(btCylinderShapeZ)];
+  auto* shape = new (memory) btCylinderShape(Vec(0.5, 0.5, 0.5));
+  body_->setCollisionShape(shape);
+  Detect();
+  ASSERT_TRUE(Detect());
+  shape->~btCylinderShape();
+  shape = new (memory) btCylinderShapeZ(Vec(0.5, 0.5, 0.5));
+  EXPECT_FALSE(Detect());
+  body_->setCollisionShape(&box_);
+  shape->~btCylinderShape();
 }
 
 TEST_F(RestingPair, HullWhosePointMoves_IsSeen) {
