@@ -29,6 +29,15 @@ namespace {
 /// micrometres in half a metre, a thousandth of what Bullet's float pairs are off by. Beyond it, Bullet answers.
 constexpr double kCertifiedGap = 1e-5;
 
+/// Depths that make no difference to a simulation, of the breaking threshold: 20 micrometres for large bodies. And to
+/// anybody: picometres.
+constexpr double kEqualDepth = 1e-3, kNoDepth = 1e-10;
+
+/// Relative tolerance of the answer to an app that asks, as contactTest() and contactPairTest() do; and how many times
+/// the evaluations of a step its least translation may take.
+constexpr double kExact = 1e-12;
+constexpr int kPatience = 5;
+
 bool IsCertified(const dgd::Result<double>& result) {
   switch (result.status) {
     case dgd::Status::kOptimal:
@@ -41,6 +50,9 @@ bool IsCertified(const dgd::Result<double>& result) {
       return false;
   }
 }
+
+/// Whether contacts go to the app itself, and not into a step's manifolds: it derives from Bullet's result.
+bool IsAskedByApp(const btManifoldResult& output) { return typeid(output) != typeid(btManifoldResult); }
 
 const btConvexShape& ShapeOf(const btCollisionObjectWrapper* body) {
   return *static_cast<const btConvexShape*>(body->getCollisionShape());
@@ -116,7 +128,7 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
                                                                const btDispatcherInfo& info,
                                                                btManifoldResult& output) try {
   const Options& options = narrowphase_.options();
-  const bool is_swapped = ComesFirst(*body_1, *body_0);
+  const bool is_swapped = ComesBefore(*body_1, *body_0);
   if (is_swapped) std::swap(body_0, body_1);
   const bool is_other_order = std::exchange(was_swapped_, is_swapped) != is_swapped;
   if (is_other_order) std::swap(hull_0_, hull_1_);
@@ -133,7 +145,8 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
                                   double(output.m_closestPointDistanceThreshold);
 
   dgd::Settings<double> settings;
-  settings.relative_tolerance = options.relative_tolerance;
+  const bool is_asked = IsAskedByApp(output);
+  settings.relative_tolerance = is_asked ? std::min(kExact, options.relative_tolerance) : options.relative_tolerance;
   settings.max_iterations = options.max_iterations;
   settings.separation_limit = std::max(contact_distance, motion.MaxApproach());
   dgd::Result<double> result;
@@ -147,10 +160,12 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
     const bool is_near = result.separation <= contact_distance;
     if (is_near || TouchWithinStep(shape_a, shape_b, result, motion)) {
       if (options.normal_mode == NormalMode::kLeastTranslation && !has_followed) {
+        if (is_asked) settings.max_iterations *= kPatience;
         can_follow_ = TurnToLeastTranslation(shape_a, shape_b, settings, warm_start_, result);
       }
       const dgd::PatchSettings<double> of_patch{.contact_distance = contact_distance,
                                                 .spacing = breaking_threshold,
+                                                .equal_depth = (is_asked ? kNoDepth : kEqualDepth) * breaking_threshold,
                                                 .angular_tolerance = options.angular_tolerance,
                                                 .max_points = options.patch_size};
       patch = options.contact_patch ? FindPatch(shape_a, shape_b, result, of_patch, motion) : WitnessOnly(result);
@@ -160,11 +175,14 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
     counters->Count(ShapeOf(body_0).getShapeType(), ShapeOf(body_1).getShapeType(),
                     OutcomeOf(result, has_followed, patch.size));
   }
-  if (is_swapped) Swap(patch, result);
+  if (is_swapped) {
+    Swap(patch, result);
+    std::swap(body_0, body_1);
+  }
   if (WantsContacts(info.m_debugDraw)) DrawContacts(patch, result, *info.m_debugDraw);
   WriteContacts(patch, result.normal, output);
   if (options.keep_resting_contacts && motion.MaxApproach() <= RestingDistance(breaking_threshold)) {
-    is_swapped ? RememberRest(*body_1, *body_0) : RememberRest(*body_0, *body_1);
+    RememberRest(*body_0, *body_1);
   }
   return std::nullopt;
 } catch (const std::exception&) {
@@ -174,8 +192,8 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
 
 bool ConvexConvexAlgorithm::StaysAtRest(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
                                         const btDispatcherInfo& info, btManifoldResult& output) {
-  // Who derives from Bullet's result wants to see each contact anew, as a debug drawer does.
-  if (!is_resting_ || WantsContacts(info.m_debugDraw) || typeid(output) != typeid(btManifoldResult)) return false;
+  // An app that asks wants to see each contact anew, as a debug drawer does.
+  if (!is_resting_ || WantsContacts(info.m_debugDraw) || IsAskedByApp(output)) return false;
   const auto& hull_0 = was_swapped_ ? hull_1_ : hull_0_;
   const auto& hull_1 = was_swapped_ ? hull_0_ : hull_1_;
   if (!resting_->IsAsItWas(body_0, body_1, *manifold_, hull_0, hull_1)) return false;
@@ -191,7 +209,7 @@ bool ConvexConvexAlgorithm::StaysAtRest(const btCollisionObjectWrapper& body_0, 
 void ConvexConvexAlgorithm::RememberRest(const btCollisionObjectWrapper& body_0,
                                          const btCollisionObjectWrapper& body_1) {
   const Options& options = narrowphase_.options();
-  // What depends on the last step alone must not depend on the step in which the pair came to rest.
+  // Where the options say that contacts come from this step's poses alone, none are kept from an earlier one.
   const double distance = RestingDistance(double(manifold_->getContactBreakingThreshold()));
   is_resting_ =
       owns_manifold_ && options.contact_patch && options.warm_start && RestingPair::CanTell(body_0, body_1, distance);

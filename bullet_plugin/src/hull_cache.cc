@@ -3,6 +3,8 @@
 #include <BulletCollision/CollisionShapes/btConvexShape.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <cstring>
 #include <mutex>
 
@@ -21,6 +23,16 @@ std::vector<Vector3> CopyPoints(const ShapePoints& points) {
   if (points.Bytes() != nullptr) return copies;
   for (int i = 0; i < points.Count(); ++i) copies.push_back(points[i]);
   return copies;
+}
+
+/// Where this thread keeps the hull that it last found for the shape, or for another in its place. Of whichever cache:
+/// a hull that matches a shape is the shape's.
+std::weak_ptr<const CachedHull>& LastFound(const btConvexShape& shape) {
+  constexpr std::size_t kPlaces = 64;
+  thread_local std::array<std::weak_ptr<const CachedHull>, kPlaces> places;
+  // Shapes lie on the heap, some hundred bytes apart.
+  const auto address = reinterpret_cast<std::uintptr_t>(&shape);
+  return places[(address >> 4 ^ address >> 10) % kPlaces];
 }
 
 }  // namespace
@@ -50,6 +62,16 @@ bool CachedHull::Matches(const btConvexShape& shape) const {
 }
 
 std::shared_ptr<const CachedHull> HullCache::Find(const btConvexShape& shape) {
+  std::weak_ptr<const CachedHull>& last_found = LastFound(shape);
+  std::shared_ptr<const CachedHull> hull = last_found.lock();
+  if (hull == nullptr || !hull->Matches(shape)) {
+    hull = FindShared(shape);
+    last_found = hull;
+  }
+  return hull;
+}
+
+std::shared_ptr<const CachedHull> HullCache::FindShared(const btConvexShape& shape) {
   {
     const std::shared_lock lock(mutex_);
     const auto found = hulls_.find(&shape);

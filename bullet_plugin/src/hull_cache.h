@@ -40,10 +40,13 @@ class CachedHull {
 
 class HullCache {
  public:
-  /// The hull of the shape as it is now. Thread-safe. Throws as CachedHull.
+  /// The hull of the shape as it is now. Thread-safe, and without a lock if this thread has found it before: pairs that
+  /// live for a step, of children of meshes and compounds, ask anew each time. Throws as CachedHull.
   std::shared_ptr<const CachedHull> Find(const btConvexShape& shape);
 
  private:
+  std::shared_ptr<const CachedHull> FindShared(const btConvexShape& shape);
+
   /// Drops hulls that no pair holds once there are twice as many as after the last time: shapes that are gone cost
   /// memory for a while, never a wrong answer.
   void Prune();

@@ -5,20 +5,16 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 namespace dgd_bullet {
-namespace {
 
-/// Distance from the body's centre to the farthest corner of its bounding box: no point of the body is farther.
-/// Bullet's own bound, getAngularMotionDisc(), computes a bounding box first.
-double Reach(const btCollisionObject& object, const Vector3& center) {
+double Reach(const btCollisionObject& object) {
   const btBroadphaseProxy* proxy = object.getBroadphaseHandle();
   if (proxy == nullptr) {
     return double(object.getCollisionShape()->getAngularMotionDisc());
   }
   const Vector3 low = FromBullet(proxy->m_aabbMin), high = FromBullet(proxy->m_aabbMax);
+  const Vector3 center = FromBullet(object.getWorldTransform().getOrigin());
   return (high - center).cwiseMax(center - low).norm();
 }
-
-}  // namespace
 
 void PairMotion::Read(const btCollisionObject& object, Twist& twist) {
   const btRigidBody* body = btRigidBody::upcast(&object);
@@ -27,7 +23,7 @@ void PairMotion::Read(const btCollisionObject& object, Twist& twist) {
   twist.angular = FromBullet(body->getAngularVelocity());
   // The centre of mass is the origin of the world transform.
   twist.center = FromBullet(body->getWorldTransform().getOrigin());
-  rim_speed_ += twist.angular.norm() * Reach(object, twist.center);
+  rim_speed_ += twist.angular.norm() * Reach(object);
 }
 
 dgd::Motion<double> PairMotion::Twist::MotionOf(const Pose& pose, double time) const {

@@ -8,6 +8,10 @@ class btCollisionObject;
 
 namespace dgd_bullet {
 
+/// Distance from a body's centre to the farthest corner of its bounding box: no point of the body is farther. Of a body
+/// that is in no broadphase, Bullet's own bound, which computes a bounding box first.
+double Reach(const btCollisionObject& object);
+
 class PairMotion {
  public:
   /// Bodies at rest to each other.

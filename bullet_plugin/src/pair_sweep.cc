@@ -9,16 +9,14 @@ namespace dgd_bullet {
 dgd::TimeOfImpactResult<double> SweepPair(const PosedShape& shape_a, const Motion& motion_a, const PosedShape& shape_b,
                                           const Motion& motion_b, const dgd::SweepSettings<double>& settings) {
   dgd::Settings<double> for_planes;
-  for_planes.relative_tolerance = 1024 * dgd::kEpsilon<double>;
+  for_planes.relative_tolerance = dgd::kPlaneTolerance<double>;
   PosedShape moved_a = shape_a, moved_b = shape_b;
   dgd::WarmStart<double> warm_start;
   const auto plane_between = [&](const Pose& pose_a, const Pose& pose_b) {
     moved_a.pose = pose_a;
     moved_b.pose = pose_b;
     dgd::Result<double> plane = SolvePair(moved_a, moved_b, for_planes, warm_start);
-    if (plane.status != dgd::Status::kInvalidInput && !(plane.separation > 0 || plane.upper_bound <= 1)) {
-      TurnToLeastTranslation(moved_a, moved_b, for_planes, warm_start, plane);
-    }
+    if (!dgd::TellsApart(plane)) TurnToLeastTranslation(moved_a, moved_b, for_planes, warm_start, plane);
     return plane;
   };
   // Planes are swept along one set at a time, most often twice: through a function pointer, this is compiled once and

@@ -9,6 +9,7 @@
 
 #include <limits>
 
+#include "pair_motion.h"
 #include "shape_points.h"
 
 namespace dgd_bullet {
@@ -78,19 +79,11 @@ btScalar Way(const btTransform& from, const btTransform& to, btScalar reach) {
   return (to.getOrigin() - from.getOrigin()).length() + reach * btSqrt(turn_sq);
 }
 
-btScalar ReachOf(const btCollisionObject& body, const btVector3& origin) {
-  const btBroadphaseProxy* proxy = body.getBroadphaseHandle();
-  if (proxy == nullptr) return body.getCollisionShape()->getAngularMotionDisc();
-  btVector3 farthest = (proxy->m_aabbMax - origin).absolute();
-  farthest.setMax((proxy->m_aabbMin - origin).absolute());
-  return farthest.length();
-}
-
 }  // namespace
 
 RestingPair::RestingPair(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
                          const btPersistentManifold& manifold)
-    : sides_{SideOf(body_0), SideOf(body_1)}, contacts_(manifold.getNumContacts()) {}
+    : sides_{{SideOf(body_0), SideOf(body_1)}}, contacts_(manifold.getNumContacts()) {}
 
 bool RestingPair::CanTell(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
                           double distance) {
@@ -118,7 +111,7 @@ bool RestingPair::IsSame(const Side& then, const btCollisionObjectWrapper& body,
   if (shape != then.shape) return false;
   // False also where a pose is not finite.
   const btTransform& pose = body.getWorldTransform();
-  if (!(Way(then.pose, pose, ReachOf(*body.getCollisionObject(), pose.getOrigin())) <= distance)) return false;
+  if (!(Way(then.pose, pose, btScalar(Reach(*body.getCollisionObject()))) <= distance)) return false;
   const int type = shape->getShapeType();
   if (type != then.type || shape->getMargin() != then.margin) return false;
   if (IsHullOfPoints(type)) return hull != nullptr && hull->Matches(*shape);

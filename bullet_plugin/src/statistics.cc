@@ -2,6 +2,7 @@
 
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 
+#include <locale>
 #include <sstream>
 
 namespace dgd_bullet {

@@ -209,7 +209,7 @@ BENCHMARK(Face);
 
 void Patch(benchmark::State& state) {
   Pair pair(kOverlapping, 0);
-  const dgd::PatchSettings<double> settings{.contact_distance = 0.02, .spacing = 0.02};
+  const dgd::PatchSettings<double> settings{.contact_distance = 0.02, .spacing = 0.02, .equal_depth = 2e-5};
   const auto is_approaching = [](const Vector3d&, double) { return false; };
   for (auto _ : state) {
     const Pair::Input& in = pair.Next();

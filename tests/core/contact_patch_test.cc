@@ -34,7 +34,8 @@ dgd::ContactPatch<double> PatchOf(const Set1& set_1, const dgd::Pose<double>& po
   const dgd::PatchFrame<double> frame(result);
   const auto face_1 = dgd::FindFace(set_1, pose_1, result.normal, frame);
   const auto face_2 = dgd::FindFace(set_2, pose_2, Vector3d(-result.normal), frame);
-  return dgd::FindContactPatch(result, frame, face_1, face_2, {.contact_distance = kContactDistance, .spacing = 0.01},
+  return dgd::FindContactPatch(result, frame, face_1, face_2,
+                               {.contact_distance = kContactDistance, .spacing = 0.01, .equal_depth = 1e-5},
                                is_approaching);
 }
 

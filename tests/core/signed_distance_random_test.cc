@@ -19,14 +19,6 @@ PairNumbers RandomlyPlacedPair(Random& random) {
 /// A plain box does not tell its vertices apart.
 bool IsKnownPolytope(SetType type) { return !InfoOf(type).is_curved && type != SetType::kPlainBox; }
 
-/// Along a unit vector, by the support functions alone.
-template <class S>
-double SeparationAlong(const AnyPair<S, 3>& pair, const Eigen::Vector3d& normal) {
-  return normal.dot(pair.Center(Which::kSecond) - pair.Center(Which::kFirst)) -
-         normal.dot(pair.SupportFromCenter(Which::kFirst, normal)) +
-         normal.dot(pair.SupportFromCenter(Which::kSecond, -normal));
-}
-
 /// Of random unit vectors, near `normal` and anywhere.
 template <class S>
 double BestOfOtherNormals(Random& random, const AnyPair<S, 3>& pair, const Eigen::Vector3d& normal) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <string>
 
@@ -38,13 +39,6 @@ struct Along {
     return pair.GrowthDistance({});
   }
 };
-
-/// By the support functions alone.
-double SeparationAlong(const AnyPair<double, 3>& pair, const Eigen::Vector3d& normal) {
-  return normal.dot(pair.Center(Which::kSecond) - pair.Center(Which::kFirst)) -
-         normal.dot(pair.SupportFromCenter(Which::kFirst, normal)) +
-         normal.dot(pair.SupportFromCenter(Which::kSecond, -normal));
-}
 
 TEST(TimeOfImpact, RandomMotions_AreNeverLateAndHitWhenTheyTouch) {
   constexpr double kTime = 1e-6;

@@ -14,6 +14,8 @@ using Vector = Eigen::Vector3d;
 inline Vector ToEigen(const btVector3& v) { return {double(v.x()), double(v.y()), double(v.z())}; }
 inline btVector3 ToBullet(const Vector& v) { return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())}; }
 btTransform MakeTransform(const Eigen::Matrix3d& rotation, const Vector& translation);
+/// Not turned.
+inline btTransform At(double x, double y, double z) { return MakeTransform(Eigen::Matrix3d::Identity(), {x, y, z}); }
 
 /// A convex shape in a pose, as Bullet's GJK sees it: core plus margin. Refers to both.
 struct PosedConvex {
@@ -30,25 +32,18 @@ struct PosedConvex {
 /// Distance of the supporting planes along `normal`, a unit vector from B to A; negative for overlap along it.
 double PlaneSeparation(const PosedConvex& a, const PosedConvex& b, const Vector& normal_b_to_a);
 
-/// Distance of two cores with what is known of it. Zero where they overlap.
-struct CoreDistance {
-  double upper = 0;               ///< Of two points of the cores.
-  double lower = 0;               ///< Proven by the supporting planes along `normal`.
-  Vector normal_b_to_a{0, 0, 0};  ///< Unit, or zero where the cores overlap.
-};
-CoreDistance DistanceOfCores(const PosedConvex& a, const PosedConvex& b);
-
-/// Signed distance of the two shapes, exact while their cores are disjoint; where they are not, all that is known is
-/// that it is at most minus the two margins.
+/// Signed distance of two shapes: of their surfaces where they are apart, minus the least translation that parts them
+/// where they overlap. Between `value` and `upper`, which are equal up to rounding but for flat shapes inside each
+/// other.
 struct SignedDistance {
-  double value = 0;
-  bool exact = false;
-  Vector normal_b_to_a{0, 0, 0};  ///< Valid if exact.
+  double value = 0;               ///< Proven by the supporting planes along `normal_b_to_a`.
+  double upper = 0;               ///< Proven by points of the shapes.
+  Vector normal_b_to_a{0, 0, 0};  ///< Unit.
 };
 SignedDistance DistanceOfShapes(const PosedConvex& a, const PosedConvex& b);
 
-/// How far a world point is outside a shape (core plus margin); negative inside, where only its sign is exact beyond
-/// the margin's depth.
+/// Signed distance of a world point to a shape (core plus margin); where the core is flat and holds the point, minus
+/// the margin.
 double Outside(const PosedConvex& shape, const Vector& point);
 
 }  // namespace dgd_test

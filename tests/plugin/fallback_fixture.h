@@ -15,8 +15,6 @@ namespace dgd_test {
 /// Metres: float positions of a few metres, and contact points through the manifold.
 inline constexpr double kLength = 1e-5;
 
-inline btTransform At(double x, double y, double z) { return MakeTransform(Eigen::Matrix3d::Identity(), {x, y, z}); }
-
 /// One pair at a time through our dispatcher, beside one of Bullet's own.
 class Fallback : public testing::Test {
  protected:

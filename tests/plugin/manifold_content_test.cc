@@ -17,8 +17,6 @@ namespace {
 constexpr double kLength = 1e-5;  // Rounding of float at a metre, with some room.
 constexpr double kPi = 3.141592653589793;
 
-btTransform At(double x, double y, double z) { return MakeTransform(Eigen::Matrix3d::Identity(), {x, y, z}); }
-
 btTransform Turned(const Vector& axis, double angle, const Vector& position) {
   return MakeTransform(Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix(), position);
 }

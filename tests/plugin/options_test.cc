@@ -22,8 +22,6 @@ constexpr double kLength = 1e-5;  // Rounding of float at a metre, with some roo
 constexpr double kAsDeep = 2e-5;  // A corner that is as deep as the deepest point stands for it.
 constexpr double kPi = 3.141592653589793;
 
-btTransform At(double x, double y, double z) { return MakeTransform(Eigen::Matrix3d::Identity(), {x, y, z}); }
-
 dgd_bullet::Options With(dgd_bullet::NormalMode mode) {
   dgd_bullet::Options options;
   options.normal_mode = mode;

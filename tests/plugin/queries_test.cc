@@ -16,8 +16,6 @@ namespace {
 
 constexpr double kLength = 1e-5;
 
-btTransform At(double x, double y, double z) { return MakeTransform(Eigen::Matrix3d::Identity(), {x, y, z}); }
-
 /// Remembers what a contact test reports, seen so that `first` is A.
 class Collector : public btCollisionWorld::ContactResultCallback {
  public:

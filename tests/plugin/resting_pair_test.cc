@@ -15,12 +15,6 @@ namespace {
 
 class RestingPair : public testing::Test {
  protected:
-  static dgd_bullet::Options Counting() {
-    dgd_bullet::Options options;
-    options.count_pairs = true;
-    return options;
-  }
-
   RestingPair() {
     world_.AddGround();
     body_ = &world_.Add(box_, 1, Vec(0, 0, 0.499));

@@ -16,8 +16,6 @@
 namespace dgd_test {
 namespace {
 
-btTransform At(double x, double y, double z) { return MakeTransform(Eigen::Matrix3d::Identity(), {x, y, z}); }
-
 template <class Counts>
 std::uint64_t Sum(const Counts& counts) {
   return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
@@ -25,12 +23,6 @@ std::uint64_t Sum(const Counts& counts) {
 
 class Counted : public testing::Test {
  protected:
-  static dgd_bullet::Options Counting() {
-    dgd_bullet::Options options;
-    options.count_pairs = true;
-    return options;
-  }
-
   Dispatching dispatching_{Route::kConfiguration, Counting()};
   btBoxShape box_{Vec(0.5, 0.5, 0.5)};
   btSphereShape ball_{btScalar(0.5)};

@@ -19,6 +19,13 @@ std::string Name(Route route);
 
 inline btVector3 Vec(double x, double y, double z) { return {btScalar(x), btScalar(y), btScalar(z)}; }
 
+/// With the statistics by pair of types.
+inline dgd_bullet::Options Counting() {
+  dgd_bullet::Options options;
+  options.count_pairs = true;
+  return options;
+}
+
 /// Configuration and dispatcher in one.
 class Dispatching {
  public:

@@ -58,12 +58,6 @@ class Crowd {
   std::vector<std::unique_ptr<PairQuery>> pairs_;
 };
 
-dgd_bullet::Options Counting() {
-  dgd_bullet::Options options;
-  options.count_pairs = true;
-  return options;
-}
-
 TEST(Threads, ManyOrOne_GiveTheSameContactsToTheLastBitAndTheSameCounts) {
   Dispatching alone(Route::kConfiguration, Counting()), shared(Route::kConfiguration, Counting());
   const std::vector<std::vector<Contact>> expected = Crowd(alone.dispatcher()).Run(1);

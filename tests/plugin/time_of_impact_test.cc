@@ -20,8 +20,6 @@ namespace {
 /// Of fractions: the rounding of Bullet's poses, and the tolerance of the sweep.
 constexpr double kFraction = sizeof(btScalar) == 8 ? 1e-9 : 1e-6;
 
-btTransform At(double x, double y, double z) { return MakeTransform(Eigen::Matrix3d::Identity(), {x, y, z}); }
-
 btTransform Turned(double angle, const Vector& axis, const Vector& at) {
   return MakeTransform(Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix(), at);
 }
@@ -49,14 +47,15 @@ TEST(ConvexCast, Miss_SaysSoAndLeavesTheResult) {
 }
 
 TEST(ConvexCast, BothTurnAndMove_AsTheIntegratorWould) {
-  // A rod that turns by a quarter about z meets a ball which comes to meet it half way.
+  // A rod that turns by a quarter about z meets a ball; both move with the same carrier.
   btCapsuleShapeX rod(btScalar(0.1), 2);
   btSphereShape ball(btScalar(0.2));
   dgd_bullet::ConvexCast cast(&rod, &ball);
   btConvexCast::CastResult result;
   const double radius = 0.8;
-  ASSERT_TRUE(cast.calcTimeOfImpact(At(0, 0, 0), Turned(std::numbers::pi / 2, {0, 0, 1}, {0, 0, 0}), At(0, radius, 0),
-                                    At(0, radius, 0), result));
+  const Vector way(3, -2, 1);
+  ASSERT_TRUE(cast.calcTimeOfImpact(At(0, 0, 0), Turned(std::numbers::pi / 2, {0, 0, 1}, way), At(0, radius, 0),
+                                    At(way.x(), way.y() + radius, way.z()), result));
   const double impact = std::numbers::pi / 2 - std::asin(0.3 / radius);
   EXPECT_NEAR(double(result.m_fraction), impact / (std::numbers::pi / 2), kFraction);
 }

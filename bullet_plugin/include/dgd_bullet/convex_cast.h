@@ -17,8 +17,9 @@ class btConvexShape;
 namespace dgd_bullet {
 
 /// Both shapes may move and turn, on the way that Bullet's integrator would take from one pose to the other. The answer
-/// is never late: a fraction is given at which the shapes are no nearer than half a nanometre, and no farther apart
-/// than one (more only where their coordinates, or Bullet's support function of a custom shape, are not that exact).
+/// is never late: a fraction is given at which the shapes are no nearer than a twentieth of a nanometre, and no
+/// farther apart than a tenth (more only where their coordinates, or Bullet's support function of a custom shape, are
+/// not that exact).
 class ConvexCast : public btConvexCast {
  public:
   /// The shapes must outlive this, and may change between casts. Not for several threads at once.

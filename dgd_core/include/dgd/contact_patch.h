@@ -32,6 +32,10 @@ struct PatchSettings {
   S contact_distance = 0;
   /// Least distance of two points across the normal; metres, >= 0.
   S spacing = 0;
+  /// A corner that is as deep as the witness within this stands for it, and the first of corners within a hundredth of
+  /// this counts as the deepest; metres, >= 0. For simulations: four corners serve the solver of the constraints better
+  /// than a point in their middle, and the last digits must not choose others in every step.
+  S equal_depth = 0;
   /// Faces turned away from the normal by more than this count as edges, radians, in (0, pi / 2): seen from aside,
   /// their heights lose their digits.
   S angular_tolerance = S(1.47);
@@ -39,6 +43,7 @@ struct PatchSettings {
   int max_points = 4;
 };
 
+/// Up to four points that span where two sets face each other.
 template <class S>
 struct ContactPatch {
   static constexpr int kMaxPoints = 4;
@@ -219,7 +224,8 @@ Corner<S> WitnessCorner(const SupportingFace<S>& face_1, const SupportingFace<S>
 /// one on either side of the line between the two that spans most area. Corners nearer than `spacing` to a kept one are
 /// left out.
 template <class S>
-void Reduce(const CornerList<S>& corners, S spacing, int max_points, CornerList<S>& kept) {
+void Reduce(const CornerList<S>& corners, const PatchSettings<S>& settings, CornerList<S>& kept) {
+  const S spacing = settings.spacing;
   const auto distance_sq = [](const Corner<S>& a, const Corner<S>& b) {
     return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
   };
@@ -227,13 +233,12 @@ void Reduce(const CornerList<S>& corners, S spacing, int max_points, CornerList<
   for (int i = 1; i < corners.size; ++i) {
     if (corners[i].Separation() < corners[deepest].Separation()) deepest = i;
   }
-  // The last digits must not choose another corner, and with it other three, in every step. Much deeper ones must be
-  // chosen: with ten times this, towers sway and piles creep (demos/contact_report).
-  constexpr S kEqual = S(1e-5);
-  const S as_deep = corners[deepest].Separation() + kEqual * spacing;
+  // Another corner brings other three. Much deeper ones must be chosen: with a tenth of the tolerance in the place of a
+  // hundredth, towers sway and piles creep (demos/contact_report).
+  const S as_deep = corners[deepest].Separation() + settings.equal_depth / 100;
   for (deepest = 0; !(corners[deepest].Separation() <= as_deep);) ++deepest;
   kept.Add(corners[deepest]);
-  if (max_points == 1) return;
+  if (settings.max_points == 1) return;
 
   int farthest = deepest;
   for (int i = 0; i < corners.size; ++i) {
@@ -253,7 +258,7 @@ void Reduce(const CornerList<S>& corners, S spacing, int max_points, CornerList<
         widest = i;
       }
     }
-    if (widest < 0 || kept.size == max_points) continue;
+    if (widest < 0 || kept.size == settings.max_points) continue;
     bool apart = true;
     for (int i = 0; i < kept.size; ++i) apart = apart && distance_sq(corners[widest], kept[i]) > spacing * spacing;
     if (apart) kept.Add(corners[widest]);
@@ -316,10 +321,8 @@ template <class S, class IsApproaching>
     OverlapSegments(face_1, face_2, overlap);
   }
 
-  // The witness, unless a corner is as deep: for polytopes one usually is, and a fourth corner serves the solver of the
-  // constraints better than a point in the middle.
-  constexpr S kAsDeep = S(1e-3);
-  const S as_deep = result.separation + kAsDeep * settings.spacing;
+  // The witness, unless a corner is as deep: for polytopes one usually is.
+  const S as_deep = result.separation + settings.equal_depth;
   CornerList<S> near;
   bool witness_needed = true;
   const auto add_if_kept = [&](const Corner<S>& corner) {
@@ -337,7 +340,7 @@ template <class S, class IsApproaching>
   if (near.size == 0) return {};
 
   CornerList<S> kept;
-  Reduce(near, settings.spacing, settings.max_points, kept);
+  Reduce(near, settings, kept);
   ContactPatch<S> patch;
   for (int i = 0; i < kept.size; ++i) {
     const Corner<S>& corner = kept[i];

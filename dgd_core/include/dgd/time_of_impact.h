@@ -13,13 +13,16 @@
 
 namespace dgd {
 
+/// When a sweep ends.
 template <class S>
 struct SweepSettings {
-  /// Sets nearer than this touch; metres, > 0, and more than what rounding leaves of the world's coordinates.
+  /// Sets nearer than this touch; metres, > 0. The default is some hundred times what rounding leaves of coordinates of
+  /// a few metres; with larger ones, it must be raised.
   S tolerance = sizeof(S) == 8 ? S(1e-10) : S(1e-5);
   int max_planes = 100;  ///< Most planes to try; >= 1.
 };
 
+/// When and where two moving sets touch first.
 template <class S>
 struct TimeOfImpactResult {
   /// kTouching: at `time` the sets touch within the tolerance. kColliding: they overlap from the start. kSeparated:
@@ -39,17 +42,28 @@ struct TimeOfImpactResult {
   Vector3<S> witness_2 = Vector3<S>::Zero();
 };
 
+/// Relative tolerance of a growth distance that is asked for its plane alone, which is the sets' own at impact: what
+/// rounding lets be proven.
+template <class S>
+inline constexpr S kPlaneTolerance = 1024 * kEpsilon<S>;
+
+/// Whether such a result has a plane between the sets, or they overlap; if not, the sets have no interior, or rounding
+/// keeps the bounds apart, and the signed distance is to be asked.
+template <class S>
+bool TellsApart(const Result<S>& growth) {
+  return growth.status == Status::kInvalidInput || growth.separation > 0 || growth.upper_bound <= 1;
+}
+
 /// The plane between two sets that the growth distance brings, as far as Result's status, normal, separation and
-/// witness points go. Where that brings none that separates them, of flat sets and where rounding keeps the bounds
-/// apart, the signed distance's.
+/// witness points go; the signed distance's where that brings none.
 template <class Set1, class Set2>
 ResultOf<Set1> PlaneBetween(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
                             const PoseOf<Set1>& pose_2, WarmStartOf<Set1>& warm_start) {
   using S = typename Set1::Scalar;
   Settings<S> settings;
-  settings.relative_tolerance = 1024 * kEpsilon<S>;
+  settings.relative_tolerance = kPlaneTolerance<S>;
   ResultOf<Set1> result = GrowthDistance(set_1, pose_1, set_2, pose_2, settings, &warm_start);
-  if (result.status == Status::kInvalidInput || result.separation > 0 || result.upper_bound <= 1) return result;
+  if (TellsApart(result)) return result;
   const SignedDistanceResult<S> distance = SignedDistance(set_1, pose_1, set_2, pose_2, result, &warm_start, settings);
   result.status = distance.status;
   result.iterations += distance.iterations;
@@ -61,7 +75,9 @@ ResultOf<Set1> PlaneBetween(const Set1& set_1, const PoseOf<Set1>& pose_1, const
 }
 
 /// When two moving sets touch first.
-/// @param plane_between  Called with two poses, for a plane between the sets there: how, is the caller's choice.
+/// @param plane_between  Called with two poses, for a plane between the sets there, as a Result of which status (only
+///                       whether it is kInvalidInput), iterations, normal, separation and witness points are read: how
+///                       it is found, is the caller's choice.
 /// Allocates nothing and does not throw.
 template <class Set1, class Set2, class Ask>
 TimeOfImpactResult<typename Set1::Scalar> TimeOfImpact(const Set1& set_1, const Motion<typename Set1::Scalar>& motion_1,
@@ -94,7 +110,9 @@ TimeOfImpactResult<typename Set1::Scalar> TimeOfImpact(const Set1& set_1, const 
       break;
     }
     if (!(time > result.time)) {
-      result.status = Status::kStalled;
+      // The sweep, which moves the sets in its own way, may see them just within the tolerance.
+      const bool touches = sweep.SeparationAt(plane.normal, time) <= settings.tolerance;
+      result.status = touches ? Status::kTouching : Status::kStalled;
       break;
     }
     result.time = time;

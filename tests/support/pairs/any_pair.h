@@ -60,4 +60,12 @@ class AnyPair {
   dgd::Pose<S, L> pose_1_, pose_2_;
 };
 
+/// Of the supporting planes along a unit vector from the first set to the second, by the support functions alone.
+template <class S>
+double SeparationAlong(const AnyPair<S, 3>& pair, const Eigen::Vector3d& normal) {
+  return normal.dot(pair.Center(Which::kSecond) - pair.Center(Which::kFirst)) -
+         normal.dot(pair.SupportFromCenter(Which::kFirst, normal)) +
+         normal.dot(pair.SupportFromCenter(Which::kSecond, -normal));
+}
+
 }  // namespace dgd_test

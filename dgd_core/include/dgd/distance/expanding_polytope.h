@@ -63,6 +63,17 @@ class ExpandingPolytope {
                              [](const Face& a, const Face& b) { return a.distance < b.distance; });
   }
 
+  /// The same among those that look along a unit vector, by their normals' cosine to it; a sliver if there is none.
+  Face NearestAlong(const Vector3<S>& direction, S least_cosine) const {
+    Face nearest{Vector3<S>::Zero(), std::numeric_limits<S>::infinity(), 0, {}};
+    std::for_each(faces_.begin(), End(), [&](const Face& face) {
+      if (face.distance < nearest.distance && face.normal.dot(direction) > least_cosine) nearest = face;
+    });
+    return nearest;
+  }
+
+  bool IsFull() const { return size_ == kMaxPoints; }
+
   /// The point of the surface that is nearest to a point on or outside of it.
   Feature NearestTo(const Vector3<S>& target) const {
     Feature nearest = points_[0];

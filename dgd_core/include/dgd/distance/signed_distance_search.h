@@ -14,7 +14,8 @@
 //  * Frames. Of polytopes whose cores stay apart, the last nearest simplex is where the next search starts, and most
 //    often ends: no growth distance is needed in between.
 //  * Curves. Newton's steps in between (normal_step.h), as long as they gain: the inner approximation of a smooth set
-//    alone converges linearly.
+//    alone converges linearly. A deep overlap may ask for more points than it has room for: then it is begun anew, at
+//    a smaller scale.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -22,6 +23,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "dgd/distance/expanding_polytope.h"
 #include "dgd/distance/nearest_simplex.h"
@@ -245,9 +247,69 @@ class SignedDistanceSearch {
       if (polytope.IsSliver(face)) return finish(Status::kStalled);
       const Point own = face.normal;
       const Point normal = NextNormal(own);
-      if (!polytope.Add(Cut(normal)) && normal == own) {
-        return finish(Status::kStalled);
+      if (polytope.Add(Cut(normal))) continue;
+      if constexpr (!Difference::kIsPolytope) {
+        if (polytope.IsFull()) return Refine(polytope.NearestTo(best_.height * best_.normal));
       }
+      if (normal == own) return finish(Status::kStalled);
+    }
+  }
+
+  /// The expanding polytope has no room for as many points as a curved set may ask for. Others take its place, of the
+  /// best plane's surroundings alone, which are narrowed down from one to the next.
+  /// @param of_inner  The foot so far.
+  [[gnu::noinline]] Status Refine(Feature of_inner) {
+    constexpr int kMaxRounds = 8;
+    S tilt = std::min(kWidest, 2 * std::sqrt((nearest_ + best_.height) / size_));
+    for (int round = 0; round < kMaxRounds; ++round) {
+      switch (ExpandNearby(tilt, of_inner)) {
+        case Nearby::kClosed:
+          return Finish(Status::kOptimal, of_inner);
+        case Nearby::kExhausted:
+          return Finish(Status::kIterationLimit, of_inner);
+        case Nearby::kTooNarrow:
+          tilt = std::min(kWidest, 4 * tilt);
+          break;
+        case Nearby::kFull:
+          tilt /= 4;
+      }
+    }
+    return Finish(Status::kStalled, of_inner);
+  }
+
+  enum class Nearby {
+    kClosed,     ///< No normal nearby is better.
+    kFull,       ///< Once more, nearer.
+    kTooNarrow,  ///< Rounding tells the points no longer apart.
+    kExhausted,  ///< Of evaluations.
+  };
+
+  /// An expanding polytope about the best plane: a triangle of K there, whose normals are `tilt` radians aside, and the
+  /// point of K that is farthest behind it. Faces that look elsewhere are none of K's, and of no account.
+  [[gnu::noinline]] Nearby ExpandNearby(S tilt, Feature& of_inner) {
+    constexpr S kAside = S(0.7);  // Cosine to the best plane's normal, of faces that look elsewhere.
+    const Point middle = best_.normal;
+    const Matrix3<S> axes = FrameAlong<S>(middle);
+    std::array<Feature, 4> corners;
+    for (int i = 0; i < 3; ++i) {
+      const S turn = 2 * std::numbers::pi_v<S> * S(i) / 3;
+      const Point aside = std::cos(turn) * axes.col(0) + std::sin(turn) * axes.col(1);
+      corners[static_cast<std::size_t>(i)] = Cut((middle + tilt * aside).normalized());
+    }
+    corners[3] = Cut(-middle);
+    ExpandingPolytope<S> polytope(corners, Noise(), size_);
+    for (;;) {
+      if (IsExhausted()) return Nearby::kExhausted;
+      const auto face = polytope.NearestAlong(middle, kAside);
+      if (polytope.IsSliver(face)) return Nearby::kTooNarrow;
+      const Point foot = best_.height * best_.normal;
+      of_inner = polytope.NearestTo(foot);
+      if (best_.height - face.distance <= Tolerance()) {
+        // Or the best normal is beyond the triangle.
+        const bool is_above = (of_inner.point - foot).squaredNorm() <= Tolerance() * size_;
+        return is_above ? Nearby::kClosed : Nearby::kTooNarrow;
+      }
+      if (!polytope.Add(Cut(face.normal))) return polytope.IsFull() ? Nearby::kFull : Nearby::kTooNarrow;
     }
   }
 
@@ -273,6 +335,8 @@ class SignedDistanceSearch {
   static constexpr S kForPoints = S(1e-4);
   /// A tetrahedron as flat as so many roundings has faces that know where they look.
   static constexpr S kFlat = 1024;
+  /// Of a triangle about the best plane: about 30 degrees.
+  static constexpr S kWidest = S(0.5);
   /// Of smooth sets: by how much of the depth a normal elsewhere may be better for a local minimum to be the answer.
   static constexpr S kElsewhere = S(0.01);
 
