@@ -17,6 +17,7 @@ enum class GeometryMode {
             ///< Spheres and capsules keep their radius.
 };
 
+/// Of one dispatcher; each has its default.
 struct Options {
   /// Relative gap between the two bounds of the growth distance at which a query stops; dimensionless, > 0. The depth
   /// that a contact reports is certified whatever this is: it only bounds how far the normal and the witness points

@@ -24,6 +24,7 @@ enum class Status : std::uint8_t {
   kInvalidInput,       ///< NaN or infinity in a pose, radius or core. No other field is usable.
 };
 
+/// When a query ends, whichever comes first.
 template <class S>
 struct Settings {
   /// Largest relative gap upper_bound / lower_bound - 1 of an optimal result; > 0. Polytopes reach rounding error
@@ -54,6 +55,7 @@ struct Iterate {
 /// Costs nothing.
 struct NoObserver {};
 
+/// A growth distance: its bounds, and what proves them.
 template <class S, int L = 3>
 struct Result {
   Status status = Status::kInvalidInput;
@@ -104,6 +106,7 @@ using ResultOf = Result<typename Set::Scalar, kDimension<typename Set::Core>>;
 template <class Set>
 using WarmStartOf = WarmStart<typename Set::Scalar, kDimension<typename Set::Core>>;
 
+/// Whether two sets overlap, and what proves it.
 template <class S, int L = 3>
 struct CollisionResult {
   /// kSeparated, kColliding or kTouching; or one of the failures of Status.
