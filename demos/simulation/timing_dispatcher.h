@@ -1,6 +1,7 @@
 // Bullet's dispatcher with a stop watch and a counter: the same for every narrowphase, and outside of what it measures.
 #pragma once
 
+#include <BulletCollision/BroadphaseCollision/btOverlappingPairCache.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 
 #include <chrono>
@@ -14,7 +15,7 @@ class TimingDispatcher : public btCollisionDispatcher {
   void dispatchAllCollisionPairs(btOverlappingPairCache* pair_cache, const btDispatcherInfo& info,
                                  btDispatcher* dispatcher) override {
     const auto start = std::chrono::steady_clock::now();
-    btCollisionDispatcher::dispatchAllCollisionPairs(pair_cache, info, dispatcher);
+    Dispatch(pair_cache, info, dispatcher);
     last_duration_ = std::chrono::steady_clock::now() - start;
     last_queries_ = CountQueries(pair_cache->getOverlappingPairArray());
   }
@@ -23,6 +24,12 @@ class TimingDispatcher : public btCollisionDispatcher {
   std::chrono::duration<double, std::micro> last_duration() const { return last_duration_; }
   /// Pairs that the last dispatch handed to an algorithm. Bullet skips pairs of which both bodies sleep.
   int last_queries() const { return last_queries_; }
+
+ protected:
+  /// What is timed.
+  virtual void Dispatch(btOverlappingPairCache* pair_cache, const btDispatcherInfo& info, btDispatcher* dispatcher) {
+    btCollisionDispatcher::dispatchAllCollisionPairs(pair_cache, info, dispatcher);
+  }
 
  private:
   int CountQueries(const btBroadphasePairArray& pairs) {

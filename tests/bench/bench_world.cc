@@ -1,0 +1,69 @@
+#include "bench/bench_world.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace dgd_bench {
+
+BenchWorld::BenchWorld(dgd_demos::Narrowphase narrowphase, int threads)
+    : configuration_(dgd_demos::MakeCollisionConfiguration(narrowphase)),
+      dispatcher_(configuration_.get(), threads),
+      world_(&dispatcher_, &broadphase_, &solver_, configuration_.get()),
+      floor_([](double, double) { return 0.0; }) {
+  world_.setGravity(Vec(0, 0, -9.81));
+}
+
+BenchWorld::~BenchWorld() {
+  for (const auto& constraint : constraints_) world_.removeConstraint(constraint.get());
+  for (const auto& body : bodies_) world_.removeRigidBody(body.get());
+}
+
+btRigidBody& BenchWorld::Add(btCollisionShape& shape, double mass, const btTransform& pose) {
+  btVector3 inertia(0, 0, 0);
+  if (mass > 0) shape.calculateLocalInertia(btScalar(mass), inertia);
+  btRigidBody::btRigidBodyConstructionInfo info(btScalar(mass), nullptr, &shape, inertia);
+  info.m_startWorldTransform = pose;
+  bodies_.push_back(std::make_unique<btRigidBody>(info));
+  world_.addRigidBody(bodies_.back().get());
+  return *bodies_.back();
+}
+
+void BenchWorld::Add(std::unique_ptr<btTypedConstraint> constraint) {
+  world_.addConstraint(constraint.get(), true);
+  constraints_.push_back(std::move(constraint));
+}
+
+void BenchWorld::AddGround(double half_width) {
+  Add(Make<btBoxShape>(Vec(half_width, half_width, 5)), 0, At(Vec(0, 0, -5)));
+}
+
+StepCost BenchWorld::Step() {
+  const auto start = std::chrono::steady_clock::now();
+  world_.stepSimulation(btScalar(kTimeStep), 0);
+  const std::chrono::duration<double, std::milli> duration = std::chrono::steady_clock::now() - start;
+  return {dispatcher_.last_duration().count() / 1000, duration.count(), dispatcher_.last_queries()};
+}
+
+WorldState BenchWorld::State() const {
+  constexpr double kInto = 0.3;  // A centre of mass this far below the floor is not just a body deep in it.
+  WorldState state;
+  double squares = 0;
+  for (const auto& body : bodies_) {
+    if (body->isStaticObject()) continue;
+    const btVector3& at = body->getWorldTransform().getOrigin();
+    const double speed = double(body->getLinearVelocity().length());
+    const double height = double(at.z()) - floor_(double(at.x()), double(at.y()));
+    state.lost += std::isfinite(speed) && height > -kInto ? 0 : 1;
+    state.awake += body->isActive() ? 1 : 0;
+    squares += speed * speed;
+  }
+  state.rms_speed = std::sqrt(squares / std::max(1, MovingBodies()));
+  return state;
+}
+
+int BenchWorld::MovingBodies() const {
+  return static_cast<int>(std::ranges::count_if(bodies_, [](const auto& body) { return !body->isStaticObject(); }));
+}
+
+}  // namespace dgd_bench
