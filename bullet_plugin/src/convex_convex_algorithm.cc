@@ -150,16 +150,18 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
   settings.max_iterations = options.max_iterations;
   settings.separation_limit = std::max(contact_distance, motion.MaxApproach());
   dgd::Result<double> result;
-  const bool has_followed = can_follow_ && FollowDistance(shape_a, shape_b, settings, warm_start_, result);
+  const bool wants_least = options.normal_mode == NormalMode::kLeastTranslation;
+  const bool has_followed =
+      wants_least && can_follow_ && FollowDistance(shape_a, shape_b, settings, warm_start_, result);
   if (!has_followed) result = SolvePair(shape_a, shape_b, settings, warm_start_);
-  can_follow_ = has_followed && result.status == dgd::Status::kOptimal;
+  can_follow_ = has_followed || result.status == dgd::Status::kSeparated || result.separation > 0;
 
   dgd::ContactPatch<double> patch;
   if (result.status != dgd::Status::kSeparated) {
     if (!IsCertified(result)) return result.status;
     const bool is_near = result.separation <= contact_distance;
     if (is_near || TouchWithinStep(shape_a, shape_b, result, motion)) {
-      if (options.normal_mode == NormalMode::kLeastTranslation && !has_followed) {
+      if (wants_least && !has_followed) {
         if (is_asked) settings.max_iterations *= kPatience;
         can_follow_ = TurnToLeastTranslation(shape_a, shape_b, settings, warm_start_, result);
       }
@@ -225,7 +227,7 @@ void ConvexConvexAlgorithm::RememberRest(const btCollisionObjectWrapper& body_0,
 void ConvexConvexAlgorithm::Recall(bool is_other_order, const Pose& pose_a, const Pose& pose_b) {
   if (!narrowphase_.options().warm_start) {
     warm_start_ = {};
-    can_follow_ = false;
+    can_follow_ = true;
   } else if (is_other_order) {
     std::swap(warm_start_.features_1, warm_start_.features_2);
     warm_start_.normal_1 = -pose_a.rotation.transpose() * (pose_b.rotation * warm_start_.normal_1);

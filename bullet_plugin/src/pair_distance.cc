@@ -32,7 +32,7 @@ bool TurnToLeastTranslation(const PosedShape& shape_a, const PosedShape& shape_b
         const double size = set_a.core.Inradius() + set_b.core.Inradius() + radius;
         const double negligible = kLeastGain * for_pair.relative_tolerance * size;
         if (turned.separation > result.separation + negligible) Take(turned, result);
-        if constexpr (dgd::kCanFollow<SetA, SetB>) {
+        if constexpr (!kIsErased<SetA>) {
           if (turned.status != dgd::Status::kOptimal || !(turned.separation + radius > negligible)) return false;
           warm_start = follow;
           return true;
@@ -47,7 +47,8 @@ bool FollowDistance(const PosedShape& shape_a, const PosedShape& shape_b, const 
   return VisitPair(shape_a, shape_b, settings,
                    [&]<class SetA, class SetB>([[maybe_unused]] const SetA& set_a, [[maybe_unused]] const SetB& set_b,
                                                [[maybe_unused]] const dgd::Settings<double>& for_pair) {
-                     if constexpr (dgd::kCanFollow<SetA, SetB>) {
+                     if constexpr (!kIsErased<SetA>) {
+                       if (!(set_a.radius + set_b.radius > 0)) return false;
                        const dgd::SignedDistanceResult<double> followed =
                            dgd::FollowDistance(set_a, shape_a.pose, set_b, shape_b.pose, for_pair, warm_start);
                        result.status = followed.status;

@@ -27,22 +27,28 @@ struct Count {
   int frames = 0, followed = 0, separated = 0, refused = 0;
   int stalled = 0;      // Of those refused: short of the tolerance by rounding, though the cores are apart.
   long iterations = 0;  // Of those followed.
+
+  void Print(const char* what) const {
+    std::printf("%s: %d frames: %d followed in %.2f iterations, %d separated, %d refused, %d of them apart\n", what,
+                frames, followed, double(iterations) / followed, separated, refused, stalled);
+  }
 };
 
 /// Two sets that drift past each other, shaken, for some frames: asked by following, and anew.
 template <class Set1, class Set2>
 void Walk(Random& random, const Set1& set_1, const Set2& set_2, Count& count) {
   using S = typename Set1::Scalar;
+  constexpr bool kIsPolytope = dgd::MinkowskiDifference<Set1, Set2>::kIsPolytope;
   constexpr int kFrames = 60;
   constexpr double kLimit = 0.3;  // m
-  const double tolerance = sizeof(S) == sizeof(double) ? 1e-13 : 1e-5;
+  const double tolerance = sizeof(S) == sizeof(float) ? 1e-5 : kIsPolytope ? 1e-13 : 1e-8;
   dgd::Settings<S> settings;
   settings.separation_limit = S(kLimit);
   dgd::Pose<double> pose_1{random.Rotation(), random.InCube()}, pose_2{random.Rotation(), pose_1.translation};
   const Vector3d across = random.UnitVector(), drift = random.UnitVector();
   pose_2.translation += random.Uniform(0, 1.2) * across - 1.2 * drift;
   dgd::WarmStart<S> state;
-  bool can_follow = false;
+  bool can_follow = !kIsPolytope;
   for (int frame = 0; frame < kFrames; ++frame) {
     pose_2.translation += 2.4 / kFrames * drift + 0.01 * random.InCube();
     pose_2.rotation = Eigen::AngleAxisd(0.02, random.UnitVector()) * pose_2.rotation;
@@ -94,10 +100,19 @@ void Walk(Random& random, const Set1& set_1, const Set2& set_2, Count& count) {
   }
 }
 
+/// With and without vertices on the other side.
+template <class S, class Hull>
+void WalkCurved(Random& random, S radius, const Hull& hull, Count& count) {
+  const dgd::RoundedSet cylinder{dgd::Cylinder<S>(S(0.3), S(0.2)), radius}, cone{dgd::Cone<S>(S(0.3), S(0.6)), radius};
+  Walk(random, cylinder, hull, count);
+  Walk(random, cylinder, cone, count);
+  Walk(random, cone, hull, count);
+}
+
 template <class S>
 void WalkAllTypes(int rounds) {
   Random random(TestSeed());
-  Count count;
+  Count count, curved;
   for (int i = 0; i < rounds && !::testing::Test::HasFailure(); ++i) {
     SCOPED_TRACE("round " + std::to_string(i));
     const dgd::Polytope<S> hull(HullPoints(random, 8 + random.Below(12))), large(HullPoints(random, 200));
@@ -119,14 +134,19 @@ void WalkAllTypes(int rounds) {
     Walk(random, capsule, capsule, count);
     Walk(random, sphere, rounded_hull, count);
     Walk(random, sphere, sphere, count);
+    WalkCurved<S>(random, radius, rounded_hull, curved);
   }
-  std::printf("%d frames: %d followed in %.2f iterations, %d separated, %d refused, %d of them apart\n", count.frames,
-              count.followed, double(count.iterations) / count.followed, count.separated, count.refused, count.stalled);
+  count.Print("polytopes");
   EXPECT_GT(count.followed, 0.7 * count.frames);
   EXPECT_GT(count.separated, 0);
   EXPECT_GT(count.refused, 0);
   EXPECT_LE(count.stalled, 0.001 * count.frames);
   EXPECT_LT(double(count.iterations), 1.5 * count.followed);
+  curved.Print("curved");
+  EXPECT_GT(curved.followed, 0.5 * curved.frames);
+  EXPECT_GT(curved.separated, 0);
+  EXPECT_GT(curved.refused, 0);
+  EXPECT_LE(curved.stalled, 0.01 * curved.frames);
 }
 
 TEST(FollowDistance, SetsThatPassEachOther_AsAnewInDouble) { WalkAllTypes<double>(TestCount(40, 4)); }
@@ -147,10 +167,17 @@ TEST(FollowDistance, NoStateOrBadInput_IsRefused) {
   EXPECT_EQ(dgd::FollowDistance(box, {}, box, pose, {}, state).status, Status::kInvalidInput);
 }
 
-TEST(FollowDistance, CurvedCores_AreNotForIt) {
-  using Box = dgd::RoundedSet<dgd::Box<double>>;
-  EXPECT_TRUE((dgd::kCanFollow<Box, dgd::RoundedSet<dgd::Segment<double>>>));
-  EXPECT_FALSE((dgd::kCanFollow<Box, dgd::RoundedSet<dgd::Cylinder<double>>>));
+TEST(FollowDistance, CurvedCoresWithoutState_StartFromTheLineOfTheCentres) {
+  const dgd::RoundedSet cylinder{dgd::Cylinder<double>(0.5, 1), 0.1};
+  dgd::Pose<double> pose;
+  pose.translation = Vector3d(0.1, 0, 2.15);
+  dgd::WarmStart<double> state;
+  const auto result = dgd::FollowDistance(cylinder, {}, cylinder, pose, {}, state);
+  EXPECT_EQ(result.status, Status::kOptimal);
+  EXPECT_NEAR(result.separation, -0.05, 1e-9);
+  EXPECT_NEAR((result.normal - Vector3d::UnitZ()).norm(), 0, 1e-6);
+  pose.translation.z() = 1.9;
+  EXPECT_EQ(dgd::FollowDistance(cylinder, {}, cylinder, pose, {}, state).status, Status::kStalled);
 }
 
 }  // namespace

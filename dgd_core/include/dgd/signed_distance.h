@@ -34,10 +34,6 @@ struct SignedDistanceResult {
   Vector3<S> witness_2 = Vector3<S>::Zero();
 };
 
-/// Whether FollowDistance() is for these sets: cores of vertices, with or without radii.
-template <class Set1, class Set2>
-inline constexpr bool kCanFollow = MinkowskiDifference<Set1, Set2>::kIsPolytope;
-
 namespace signed_distance_internal {
 template <class Search>
 void Report(const Search& search, SignedDistanceResult<typename Search::S>& result) {
@@ -73,9 +69,10 @@ SignedDistanceResult<typename Set1::Scalar> SignedDistance(const Set1& set_1, co
   return result;
 }
 
-/// The same without a growth distance, while cores with vertices stay apart from frame to frame: sets that are apart,
-/// or overlap by less than their radii. A pair in contact face on face costs one evaluation of the support functions.
-/// @param state     In and out: of SignedDistance() or of the last call. Left as it was if the call fails.
+/// The same without a growth distance, while cores stay apart from frame to frame: of sets that are apart, or overlap
+/// by less than their radii. A pair of polytopes in contact face on face costs one evaluation of the support functions.
+/// @param state     In and out: of SignedDistance() or of the last call. Left as it was if the call fails. Curved cores
+///                  need none; for polytopes the growth distance is the better start, and without a state this fails.
 /// @param settings  As there; kSeparated is returned as soon as the sets are farther apart than separation_limit.
 /// @return kOptimal, certain as SignedDistance()'s; kSeparated, with the normal and the separation along it. All other
 ///         statuses mean failure, and no other field is usable: the cores may overlap, ask for the growth distance.
@@ -83,7 +80,7 @@ template <class Set1, class Set2>
 SignedDistanceResult<typename Set1::Scalar> FollowDistance(const Set1& set_1, const PoseOf<Set1>& pose_1,
                                                            const Set2& set_2, const PoseOf<Set1>& pose_2,
                                                            const Settings<typename Set1::Scalar>& settings,
-                                                           WarmStartOf<Set1>& state) requires kCanFollow<Set1, Set2> {
+                                                           WarmStartOf<Set1>& state) {
   SignedDistanceSearch<Set1, Set2> search(set_1, pose_1, set_2, pose_2, settings);
   SignedDistanceResult<typename Set1::Scalar> result;
   result.status = search.SolveApart(state);

@@ -64,13 +64,19 @@ class SignedDistanceSearch {
     return Approach();
   }
 
-  /// From where the last search ended, for polytopes whose cores were apart then.
-  /// @return kOptimal or kSeparated; anything else if they are apart no longer, or there is no state.
-  Status SolveApart(const WarmStart<S>& last) requires(Difference::kIsPolytope) {
+  /// For sets whose cores are apart: polytopes from where the last search ended, others from its normal, or the line of
+  /// the centres.
+  /// @return kOptimal or kSeparated; anything else if they are not apart, or there is no state.
+  Status SolveApart(const WarmStart<S>& last) {
     if (!difference_.IsFinite()) return Status::kInvalidInput;
+    is_apart_ = true;
     AddBasis(last);
-    if (simplex_.Size() == 0) return Status::kStalled;
-    is_following_ = true;
+    if (simplex_.Size() == 0) {
+      if constexpr (Difference::kIsPolytope) return Status::kStalled;
+      const Point normal = difference_.DirectionToFrame(last.normal_1);
+      simplex_.Add(Cut(std::abs(normal.squaredNorm() - 1) < S(0.1) ? normal.normalized() : Point(Point::UnitZ())));
+      if (Separation() > settings_.separation_limit) return Status::kSeparated;
+    }
     return Approach();
   }
 
@@ -172,16 +178,16 @@ class SignedDistanceSearch {
   Status Approach() {
     for (;;) {
       nearest_ = simplex_.Nearest().norm();
-      if (nearest_ <= Rounding()) return is_following_ ? Status::kStalled : Touch();
+      if (nearest_ <= Rounding()) return is_apart_ ? Status::kStalled : Touch();
       if (HasGoodPoints()) return Finish(Status::kOptimal, simplex_.Combination());
       if (IsExhausted()) return Finish(Status::kIterationLimit, simplex_.Combination());
       const Point own = simplex_.Normal();
       const Point normal = NextNormal(own);
       const Feature support = Cut(normal);
       if (HasGoodPoints()) return Finish(Status::kOptimal, simplex_.Combination());
-      if (is_following_ && Separation() > settings_.separation_limit) return Status::kSeparated;
+      if (is_apart_ && Separation() > settings_.separation_limit) return Status::kSeparated;
       if (simplex_.HoldsOriginWith(support.point)) {
-        if (is_following_) return Status::kStalled;
+        if (is_apart_) return Status::kStalled;
         return Expand({simplex_[0], simplex_[1], simplex_[2], support});
       }
       NearestSimplex<S> grown = simplex_;
@@ -349,7 +355,7 @@ class SignedDistanceSearch {
   S nearest_ = std::numeric_limits<S>::infinity();  // Signed distance of K's inner approximation, metres.
   Feature foot_;                                    // The witness points' difference, without radii.
   int iterations_ = 0;
-  bool is_following_ = false;   // By SolveApart(): not where the origin turns out to be inside of K.
+  bool is_apart_ = false;       // By SolveApart(): ends where the origin turns out to be inside of K.
   bool is_news_ = false;        // No Newton's step was taken from the best plane yet.
   bool is_stationary_ = false;  // The best plane's normal is the best nearby.
 };
