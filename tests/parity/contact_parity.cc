@@ -44,7 +44,7 @@ along the answer's own normal do not bear out; distances or least translations o
 Rows "contacts": what contactTest() gets; there only yes/no and normals are judged.
 
 Exit status: 0; 1 the plugin gave no answer, a wrong one, one that its normal does not bear out, or one that is off
-by 1e-4; 2 wrong command line.)";
+by a hundredth; 2 wrong command line.)";
 
 struct Options {
   int poses = 1000;
