@@ -121,6 +121,8 @@ class NearestSimplex {
     return sum;
   }
   std::size_t Size() const { return size_; }
+  /// Convex weight of a point in the nearest one.
+  S Weight(std::size_t i) const { return weights_[i]; }
   const Feature& operator[](std::size_t i) const { return points_[i]; }
 
  private:

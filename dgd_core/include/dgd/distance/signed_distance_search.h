@@ -13,9 +13,11 @@
 //    need no look.
 //  * Frames. Of polytopes whose cores stay apart, the last nearest simplex is where the next search starts, and most
 //    often ends: no growth distance is needed in between.
-//  * Curves. Newton's steps in between (normal_step.h), as long as they gain: the inner approximation of a smooth set
-//    alone converges linearly. A deep overlap may ask for more points than it has room for: then it is begun anew, at
-//    a smaller scale.
+//  * Curves. The inner approximation of a curved set alone converges linearly. So there are Newton's steps in between,
+//  as
+//    long as they gain: of all pieces that the simplex is on (kink_step.h), or of the one that a plane met
+//    (normal_step.h). A deep overlap may ask for more points than the expanding polytope has room for: then it is begun
+//    anew, at a smaller scale.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -24,8 +26,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "dgd/distance/expanding_polytope.h"
+#include "dgd/distance/kink_step.h"
 #include "dgd/distance/nearest_simplex.h"
 #include "dgd/distance/normal_step.h"
 #include "dgd/query_types.h"
@@ -156,17 +160,63 @@ class SignedDistanceSearch {
     return support;
   }
 
+  using Tangents = Eigen::Matrix<S, 2, 3>;
+  static Tangents TangentsAt(const Point& normal) {
+    const Matrix3<S> frame = FrameAlong<S>(normal);
+    Tangents tangents;
+    tangents << frame.col(0).transpose(), frame.col(1).transpose();
+    return tangents;
+  }
+
+  /// Newton's step from the simplex's normal on all the pieces of the cores that the simplex is on, if the last plane
+  /// was the best; and the simplex goes with them if that brings it nearer. Else the simplex's normal.
+  Point NextNormalApart() {
+    const Point own = simplex_.Normal();
+    if constexpr (Difference::kIsSmooth) {
+      if (!std::exchange(is_news_, false)) return own;
+      const Tangents tangents = TangentsAt(own);
+      std::array<Feature, 3> features;
+      PieceModels<S> pieces;
+      for (std::size_t i = 0; i < simplex_.Size(); ++i) {
+        std::size_t same = 0;
+        while (same < pieces.size && !IsSamePiece(features[same], simplex_[i])) ++same;
+        if (same == pieces.size) {
+          const auto piece = difference_.AlongTangents(simplex_[i].feature_1, simplex_[i].feature_2, own, tangents);
+          features[same] = Shifted(piece.support);
+          pieces.models[pieces.size++] = {features[same].point, piece.derivative, 0};
+        }
+        pieces.models[same].weight += simplex_.Weight(i);
+      }
+      Point next;
+      if (!StepOnKink<S>(own, tangents, pieces, next)) return own;
+      // Of a single piece, the next support point will do.
+      if (pieces.size > 1) {
+        for (std::size_t i = 0; i < pieces.size; ++i) {
+          features[i] =
+              Shifted(difference_.AlongTangents(features[i].feature_1, features[i].feature_2, next, tangents).support);
+        }
+        const NearestSimplex<S> moved(features, pieces.size);
+        if (moved.Nearest().squaredNorm() < simplex_.Nearest().squaredNorm()) simplex_ = moved;
+        nearest_ = simplex_.Nearest().norm();
+      }
+      return next;
+    }
+    return own;
+  }
+
+  static bool IsSamePiece(const Feature& a, const Feature& b) {
+    return a.feature_1 == b.feature_1 && a.feature_2 == b.feature_2;
+  }
+
   /// Newton's step from a plane that is the best since the last one, else the inner approximation's normal.
   Point NextNormal(const Point& inner_normal) {
     if constexpr (Difference::kIsSmooth) {
       if (is_news_ && best_.has_support) {
         is_news_ = false;
-        const Matrix3<S> frame = FrameAlong<S>(best_.normal);
-        Eigen::Matrix<S, 2, 3> tangents;
-        tangents << frame.col(0).transpose(), frame.col(1).transpose();
-        const NormalStep<S> step = StepFrom<S>(
-            best_.normal, best_.support.point, tangents,
-            difference_.Curvature(best_.support.feature_1, best_.support.feature_2, best_.normal, tangents));
+        const Tangents tangents = TangentsAt(best_.normal);
+        const auto piece =
+            difference_.AlongTangents(best_.support.feature_1, best_.support.feature_2, best_.normal, tangents);
+        const NormalStep<S> step = StepFrom<S>(best_.normal, best_.support.point, tangents, piece.derivative);
         is_stationary_ = step.is_valid && step.gain <= Rounding();
         if (step.is_valid && !is_stationary_) return step.next;
       }
@@ -181,8 +231,7 @@ class SignedDistanceSearch {
       if (nearest_ <= Rounding()) return is_apart_ ? Status::kStalled : Touch();
       if (HasGoodPoints()) return Finish(Status::kOptimal, simplex_.Combination());
       if (IsExhausted()) return Finish(Status::kIterationLimit, simplex_.Combination());
-      const Point own = simplex_.Normal();
-      const Point normal = NextNormal(own);
+      const Point normal = NextNormalApart();
       const Feature support = Cut(normal);
       if (HasGoodPoints()) return Finish(Status::kOptimal, simplex_.Combination());
       if (is_apart_ && Separation() > settings_.separation_limit) return Status::kSeparated;
@@ -194,7 +243,7 @@ class SignedDistanceSearch {
       grown.Add(support);
       if (grown.Nearest().squaredNorm() < simplex_.Nearest().squaredNorm()) {
         simplex_ = grown;
-      } else if (normal == own) {
+      } else if (normal == simplex_.Normal()) {
         return Finish(Status::kStalled, simplex_.Combination());
       }
     }

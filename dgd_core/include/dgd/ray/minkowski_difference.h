@@ -29,7 +29,7 @@ struct DifferencePoint {
 template <class S, int L>
 struct CurvedDifferencePoint {
   DifferencePoint<S, L> support;
-  /// d(point) / d(direction), both across the ray; metres, positive semidefinite.
+  /// d(point) / d(direction), both across the ray, or along the tangents asked for; metres, positive semidefinite.
   SquareMatrix<S, L - 1> derivative;
 };
 
@@ -150,17 +150,19 @@ class MinkowskiDifference {
     return curved;
   }
 
-  /// How the point of two features that is farthest along a unit vector moves with that, seen across it; metres.
+  /// The point of two features that is farthest along a unit vector, radii left out that are kept apart, and how it
+  /// moves with that vector, seen across it.
   /// @param tangents  Rows: the unit vectors across `normal` that the derivative is in.
-  [[gnu::noinline]] SquareMatrix<S, L - 1> Curvature(
+  [[gnu::noinline]] CurvedDifferencePoint<S, L> AlongTangents(
       FeatureId feature_1, FeatureId feature_2, const Point& normal,
       const Eigen::Matrix<S, L - 1, L>& tangents) const requires kIsSmooth {
     const Eigen::Matrix<S, L - 1, L> across_1 = tangents * to_frame_1_, across_2 = tangents * to_frame_2_;
     const CurvedPoint<S, L> curved_1 = OfFeature(set_1_.core, feature_1, to_frame_1_.transpose() * normal);
     const CurvedPoint<S, L> curved_2 = OfFeature(set_2_.core, feature_2, to_frame_2_.transpose() * -normal);
-    return across_1 * curved_1.derivative * across_1.transpose() +
-           across_2 * curved_2.derivative * across_2.transpose() +
-           (inflation_1_ + inflation_2_) * SquareMatrix<S, L - 1>::Identity();
+    return {Difference({curved_1.point, feature_1}, {curved_2.point, feature_2}, normal),
+            across_1 * curved_1.derivative * across_1.transpose() +
+                across_2 * curved_2.derivative * across_2.transpose() +
+                (inflation_1_ + inflation_2_) * SquareMatrix<S, L - 1>::Identity()};
   }
 
   /// Outward normal of the flat face that a feature of set 1 (of set 2) bounds, ray frame; zero if there is none.
