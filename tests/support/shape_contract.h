@@ -17,7 +17,8 @@
 
 namespace dgd_test {
 
-inline constexpr int kDirections = 500;
+/// Random ones.
+inline int DirectionCount() { return TestCount(500, 60); }
 
 /// The directions that decide: axes, face diagonals, space diagonals, with both signs of zero, then random ones.
 inline std::vector<Eigen::Vector3d> Directions(Random& random) {
@@ -30,7 +31,7 @@ inline std::vector<Eigen::Vector3d> Directions(Random& random) {
       }
     }
   }
-  for (int i = 0; i < kDirections; ++i) directions.push_back(random.UnitVector());
+  for (int i = 0; i < DirectionCount(); ++i) directions.push_back(random.UnitVector());
   return directions;
 }
 
@@ -43,7 +44,7 @@ inline std::vector<Eigen::Vector2d> PlaneDirections(Random& random) {
       if (direction.norm() > 0) directions.push_back(direction.normalized());
     }
   }
-  for (int i = 0; i < kDirections; ++i) {
+  for (int i = 0; i < DirectionCount(); ++i) {
     const double angle = random.Uniform(0, 2 * std::numbers::pi);
     directions.emplace_back(std::cos(angle), std::sin(angle));
   }
@@ -193,7 +194,7 @@ void CheckPieces(const Core& core, const ExpectedSet<L>& expected, Random& rando
           << fine;
     }
   }
-  EXPECT_GT(compared, kDirections / 2);
+  EXPECT_GT(compared, DirectionCount() / 2);
 }
 
 /// Where a piece has a face normal, it is of unit length, and close to it the piece's points run around a disc in the

@@ -14,8 +14,7 @@
 //  * Frames. Of polytopes whose cores stay apart, the last nearest simplex is where the next search starts, and most
 //    often ends: no growth distance is needed in between.
 //  * Curves. The inner approximation of a curved set alone converges linearly. So there are Newton's steps in between,
-//  as
-//    long as they gain: of all pieces that the simplex is on (kink_step.h), or of the one that a plane met
+//    as long as they gain: on all pieces that the simplex is on (kink_step.h), or on the one that a plane met
 //    (normal_step.h). A deep overlap may ask for more points than the expanding polytope has room for: then it is begun
 //    anew, at a smaller scale.
 #pragma once
@@ -168,40 +167,58 @@ class SignedDistanceSearch {
     return tangents;
   }
 
-  /// Newton's step from the simplex's normal on all the pieces of the cores that the simplex is on, if the last plane
-  /// was the best; and the simplex goes with them if that brings it nearer. Else the simplex's normal.
+  /// Newton's step from the simplex's normal on all pieces that the simplex is on, if the last plane was the best; and
+  /// the simplex goes with them if that brings it nearer. Else the simplex's normal.
   Point NextNormalApart() {
     const Point own = simplex_.Normal();
     if constexpr (Difference::kIsSmooth) {
       if (!std::exchange(is_news_, false)) return own;
       const Tangents tangents = TangentsAt(own);
-      std::array<Feature, 3> features;
-      PieceModels<S> pieces;
-      for (std::size_t i = 0; i < simplex_.Size(); ++i) {
-        std::size_t same = 0;
-        while (same < pieces.size && !IsSamePiece(features[same], simplex_[i])) ++same;
-        if (same == pieces.size) {
-          const auto piece = difference_.AlongTangents(simplex_[i].feature_1, simplex_[i].feature_2, own, tangents);
-          features[same] = Shifted(piece.support);
-          pieces.models[pieces.size++] = {features[same].point, piece.derivative, 0};
-        }
-        pieces.models[same].weight += simplex_.Weight(i);
-      }
+      const Pieces pieces = PiecesOfSimplex(own, tangents);
       Point next;
-      if (!StepOnKink<S>(own, tangents, pieces, next)) return own;
+      if (!StepOnKink<S>(own, tangents, pieces.models, next)) return own;
       // Of a single piece, the next support point will do.
-      if (pieces.size > 1) {
-        for (std::size_t i = 0; i < pieces.size; ++i) {
-          features[i] =
-              Shifted(difference_.AlongTangents(features[i].feature_1, features[i].feature_2, next, tangents).support);
-        }
-        const NearestSimplex<S> moved(features, pieces.size);
-        if (moved.Nearest().squaredNorm() < simplex_.Nearest().squaredNorm()) simplex_ = moved;
-        nearest_ = simplex_.Nearest().norm();
-      }
+      if (pieces.models.size > 1) MoveSimplex(pieces, next, tangents);
       return next;
     }
     return own;
+  }
+
+  /// Support points of pieces of the two cores, and what is known about them.
+  struct Pieces {
+    std::array<Feature, 3> points;
+    PieceModels<S> models;
+  };
+
+  /// The pieces that the simplex's points are on, each once, about a normal.
+  Pieces PiecesOfSimplex(const Point& normal, const Tangents& tangents) requires(Difference::kIsSmooth) {
+    Pieces pieces;
+    std::size_t& size = pieces.models.size;
+    for (std::size_t i = 0; i < simplex_.Size(); ++i) {
+      const Feature& corner = simplex_[i];
+      std::size_t same = 0;
+      while (same < size && !IsSamePiece(pieces.points[same], corner)) ++same;
+      if (same == size) {
+        const auto piece = difference_.AlongTangents(corner.feature_1, corner.feature_2, normal, tangents);
+        pieces.points[same] = Shifted(piece.support);
+        pieces.models.models[size++] = {pieces.points[same].point, piece.derivative, 0};
+      }
+      pieces.models.models[same].weight += simplex_.Weight(i);
+    }
+    return pieces;
+  }
+
+  /// Takes the pieces' points along another normal for the simplex, if they are nearer.
+  void MoveSimplex(const Pieces& pieces, const Point& normal,
+                   const Tangents& tangents) requires(Difference::kIsSmooth) {
+    std::array<Feature, 3> moved;
+    for (std::size_t i = 0; i < pieces.models.size; ++i) {
+      const Feature& from = pieces.points[i];
+      moved[i] = Shifted(difference_.AlongTangents(from.feature_1, from.feature_2, normal, tangents).support);
+    }
+    const NearestSimplex<S> simplex(moved, pieces.models.size);
+    if (simplex.Nearest().squaredNorm() < simplex_.Nearest().squaredNorm()) simplex_ = simplex;
+    nearest_ = simplex_.Nearest().norm();
   }
 
   static bool IsSamePiece(const Feature& a, const Feature& b) {
