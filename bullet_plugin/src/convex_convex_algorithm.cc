@@ -34,7 +34,7 @@ constexpr double kCertifiedGap = 1e-5;
 constexpr double kEqualDepth = 1e-3, kNoDepth = 1e-10;
 
 /// Relative tolerance of the answer to an app that asks, as contactTest() and contactPairTest() do; and how many times
-/// the evaluations of a step its least translation may take.
+/// the evaluations of a step its least translation may take: 64 are an expanding polytope, which may be begun anew.
 constexpr double kExact = 1e-12;
 constexpr int kPatience = 5;
 
@@ -144,17 +144,17 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
   const double contact_distance = (options.contact_distance > 0 ? options.contact_distance : breaking_threshold) +
                                   double(output.m_closestPointDistanceThreshold);
 
-  dgd::Settings<double> settings;
   const bool is_asked = IsAskedByApp(output);
+  dgd::Settings<double> settings;
   settings.relative_tolerance = is_asked ? std::min(kExact, options.relative_tolerance) : options.relative_tolerance;
   settings.max_iterations = options.max_iterations;
   settings.separation_limit = std::max(contact_distance, motion.MaxApproach());
   dgd::Result<double> result;
   const bool wants_least = options.normal_mode == NormalMode::kLeastTranslation;
   const bool has_followed =
-      wants_least && can_follow_ && FollowDistance(shape_a, shape_b, settings, warm_start_, result);
+      wants_least && may_be_apart_ && FollowDistance(shape_a, shape_b, settings, warm_start_, result);
   if (!has_followed) result = SolvePair(shape_a, shape_b, settings, warm_start_);
-  can_follow_ = has_followed || result.status == dgd::Status::kSeparated || result.separation > 0;
+  may_be_apart_ = has_followed || result.status == dgd::Status::kSeparated || result.separation > 0;
 
   dgd::ContactPatch<double> patch;
   if (result.status != dgd::Status::kSeparated) {
@@ -163,7 +163,7 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
     if (is_near || TouchWithinStep(shape_a, shape_b, result, motion)) {
       if (wants_least && !has_followed) {
         if (is_asked) settings.max_iterations *= kPatience;
-        can_follow_ = TurnToLeastTranslation(shape_a, shape_b, settings, warm_start_, result);
+        may_be_apart_ = TurnToLeastTranslation(shape_a, shape_b, settings, warm_start_, result);
       }
       const dgd::PatchSettings<double> of_patch{.contact_distance = contact_distance,
                                                 .spacing = breaking_threshold,
@@ -227,7 +227,7 @@ void ConvexConvexAlgorithm::RememberRest(const btCollisionObjectWrapper& body_0,
 void ConvexConvexAlgorithm::Recall(bool is_other_order, const Pose& pose_a, const Pose& pose_b) {
   if (!narrowphase_.options().warm_start) {
     warm_start_ = {};
-    can_follow_ = true;
+    may_be_apart_ = true;
   } else if (is_other_order) {
     std::swap(warm_start_.features_1, warm_start_.features_2);
     warm_start_.normal_1 = -pose_a.rotation.transpose() * (pose_b.rotation * warm_start_.normal_1);

@@ -77,7 +77,7 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   std::unique_ptr<RestingPair> resting_;  // Once the pair has rested.
   bool is_resting_ = false;               // That is what the manifold's contacts have been found for.
   bool owns_manifold_ = false;
-  bool can_follow_ = true;    // FollowDistance() may be tried.
+  bool may_be_apart_ = true;  // The cores, by all that is known: FollowDistance() is tried.
   bool was_swapped_ = false;  // That order is not Bullet's.
   const bool speculative_;
 };

@@ -28,7 +28,7 @@ std::vector<Vector3> CopyPoints(const ShapePoints& points) {
 /// Where this thread keeps the hull that it last found for the shape, or for another in its place. Of whichever cache:
 /// a hull that matches a shape is the shape's.
 std::weak_ptr<const CachedHull>& LastFound(const btConvexShape& shape) {
-  constexpr std::size_t kPlaces = 64;
+  constexpr std::size_t kPlaces = 64;  // A kilobyte a thread, for the shapes of a compound and what meets it.
   thread_local std::array<std::weak_ptr<const CachedHull>, kPlaces> places;
   // Shapes lie on the heap, some hundred bytes apart.
   const auto address = reinterpret_cast<std::uintptr_t>(&shape);

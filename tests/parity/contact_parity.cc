@@ -108,20 +108,22 @@ std::vector<Family> MakeFamilies() {
   return list;
 }
 
-double RadiusOf(const btConvexShape& shape, Vector& center) {
-  btVector3 at;
+struct BoundingSphere {
+  Vector center;
+  double radius;
+};
+
+BoundingSphere BoundingSphereOf(const btConvexShape& shape) {
+  btVector3 center;
   btScalar radius = 0;
-  shape.getBoundingSphere(at, radius);
-  center = ToEigen(at);
-  return double(radius);
+  shape.getBoundingSphere(center, radius);
+  return {ToEigen(center), double(radius)};
 }
 
-/// Half of the pairs anywhere from one inside the other to a little apart; of the others, those that touch from a
-/// millionth of their size apart to as far into each other, or a tenth.
+/// Half of the pairs anywhere from one inside the other to a little apart; the others apart, or overlapping, by a
+/// millionth to a tenth of their size.
 void Place(Random& random, PairQuery& pair, double size) {
-  Vector center_a, center_b;
-  RadiusOf(pair.A().shape, center_a);
-  RadiusOf(pair.B().shape, center_b);
+  const Vector center_a = BoundingSphereOf(pair.A().shape).center, center_b = BoundingSphereOf(pair.B().shape).center;
   const Eigen::Matrix3d rotation_a = random.Rotation(), rotation_b = random.Rotation();
   const Vector position_a = size * random.InCube();
   const bool is_near = random.Flip();
@@ -162,8 +164,7 @@ Verdicts Judge(Random& random, const Family& family_a, const Family& family_b, i
   for (int pose = 0; pose < poses; ++pose) {
     btConvexShape *a = &pick(family_a), *b = &pick(family_b);
     if (random.Flip()) std::swap(a, b);
-    Vector center;
-    const double size = RadiusOf(*a, center) + RadiusOf(*b, center);
+    const double size = BoundingSphereOf(*a).radius + BoundingSphereOf(*b).radius;
     PairQuery ours(dispatchings[0].dispatcher(), *a, *b), builtin(dispatchings[1].dispatcher(), *a, *b);
     Place(random, ours, size);
     builtin.SetPoses(ours.body_a().getWorldTransform(), ours.body_b().getWorldTransform());
@@ -173,7 +174,7 @@ Verdicts Judge(Random& random, const Family& family_a, const Family& family_b, i
     for (std::size_t i = 0; i < kRoutes.size(); ++i) {
       PairQuery& pair = i == 0 ? ours : builtin;
       JudgeClosestPoints(truth, pair, pair.ClosestPoints(kAnyDistance), verdicts.closest_points[i]);
-      JudgeContacts(truth, pair, pair.Step(), verdicts.contacts[i]);
+      JudgeContacts(truth, pair, pair.ContactTest(), verdicts.contacts[i]);
     }
   }
   return verdicts;

@@ -7,12 +7,12 @@ namespace dgd_test {
 namespace {
 
 /// Whether the supporting planes along the contact's normal are as far apart as it says.
-bool IsCertified(const Truth& truth, const PairQuery& pair, const Contact& contact, double tolerance) {
+bool IsCertified(const Truth& truth, const PairQuery& pair, const Contact& contact) {
   if (!contact.normal_b_to_a.allFinite() || !std::isfinite(contact.depth)) return false;
   const double length = contact.normal_b_to_a.norm();
   if (!(std::abs(length - 1) <= truth.tolerance)) return false;
   const double separation = PlaneSeparation(pair.A(), pair.B(), contact.normal_b_to_a / length);
-  return std::abs(contact.depth - separation) <= tolerance;
+  return std::abs(contact.depth - separation) <= truth.tolerance * truth.scale;
 }
 
 /// @return whether there is an answer to judge further.
@@ -44,7 +44,7 @@ void JudgeClosestPoints(const Truth& truth, const PairQuery& pair, const std::ve
                         Verdict& verdict) {
   if (!JudgeSign(truth, contacts, true, verdict)) return;
   const Contact& deepest = Deepest(contacts);
-  verdict.not_certified += IsCertified(truth, pair, deepest, truth.tolerance * truth.scale) ? 0 : 1;
+  verdict.not_certified += IsCertified(truth, pair, deepest) ? 0 : 1;
   // Nothing that lies between what is proven from either side is an error.
   const double off = std::max({0.0, truth.distance.value - deepest.depth, deepest.depth - truth.distance.upper});
   const double error = std::isfinite(deepest.depth) ? off / truth.scale : 1;
@@ -54,11 +54,8 @@ void JudgeClosestPoints(const Truth& truth, const PairQuery& pair, const std::ve
 }
 
 void JudgeContacts(const Truth& truth, const PairQuery& pair, const std::vector<Contact>& contacts, Verdict& verdict) {
-  // A corner that is as deep within this may stand for the deepest point (contact_patch.h).
-  constexpr double kAsDeep = 1e-3 * 0.02;
   if (!JudgeSign(truth, contacts, truth.Overlaps(), verdict)) return;
-  const double tolerance = truth.tolerance * truth.scale + kAsDeep;
-  verdict.not_certified += IsCertified(truth, pair, Deepest(contacts), tolerance) ? 0 : 1;
+  verdict.not_certified += IsCertified(truth, pair, Deepest(contacts)) ? 0 : 1;
 }
 
 }  // namespace dgd_test

@@ -40,7 +40,7 @@ struct Verdict {
 void JudgeClosestPoints(const Truth& truth, const PairQuery& pair, const std::vector<Contact>& contacts,
                         Verdict& verdict);
 
-/// Contacts as a step makes them: none is wrong to leave out that is apart, depths need not be the least.
+/// Contacts as contactTest() gets them: none is missed of what is apart, depths need not be the least.
 void JudgeContacts(const Truth& truth, const PairQuery& pair, const std::vector<Contact>& contacts, Verdict& verdict);
 
 }  // namespace dgd_test

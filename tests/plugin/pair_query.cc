@@ -5,21 +5,47 @@
 #include <algorithm>
 
 namespace dgd_test {
+namespace {
+
+/// Passes contacts on to Bullet and remembers them as they came: as an app's own result, of which the narrowphase can
+/// tell that it is one.
+class RecordingResult : public btManifoldResult {
+ public:
+  using btManifoldResult::btManifoldResult;
+  void addContactPoint(const btVector3& normal_on_b, const btVector3& point, btScalar depth) override {
+    contacts.push_back({ToEigen(normal_on_b), ToEigen(point), double(depth)});
+    btManifoldResult::addContactPoint(normal_on_b, point, depth);
+  }
+
+  std::vector<Contact> contacts;
+};
+
+/// Remembers what this thread puts into manifolds of bodies with CF_CUSTOM_MATERIAL_CALLBACK, by Bullet's own callback:
+/// the result is the one that steps have.
+thread_local std::vector<Contact>* recorded = nullptr;
+
+bool Record(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int, const btCollisionObjectWrapper*, int,
+            int) {
+  if (recorded != nullptr) {
+    recorded->push_back(
+        {ToEigen(point.m_normalWorldOnB), ToEigen(point.m_positionWorldOnB), double(point.getDistance())});
+  }
+  return false;
+}
+
+}  // namespace
 
 const Contact& Deepest(const std::vector<Contact>& contacts) {
   return *std::min_element(contacts.begin(), contacts.end(),
                            [](const Contact& a, const Contact& b) { return a.depth < b.depth; });
 }
 
-void RecordingResult::addContactPoint(const btVector3& normal_on_b, const btVector3& point, btScalar depth) {
-  contacts.push_back({ToEigen(normal_on_b), ToEigen(point), double(depth)});
-  btManifoldResult::addContactPoint(normal_on_b, point, depth);
-}
-
 PairQuery::PairQuery(btCollisionDispatcher& dispatcher, btConvexShape& shape_a, btConvexShape& shape_b)
     : dispatcher_(dispatcher) {
   body_a_.setCollisionShape(&shape_a);
   body_b_.setCollisionShape(&shape_b);
+  gContactAddedCallback = Record;
+  body_a_.setCollisionFlags(body_a_.getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
   SetPoses(btTransform::getIdentity(), btTransform::getIdentity());
 }
 
@@ -42,15 +68,18 @@ std::vector<Contact> PairQuery::Step(btPersistentManifold* shared) {
   const btCollisionObjectWrapper a(nullptr, body_a_.getCollisionShape(), &body_a_, body_a_.getWorldTransform(), -1, -1);
   const btCollisionObjectWrapper b(nullptr, body_b_.getCollisionShape(), &body_b_, body_b_.getWorldTransform(), -1, -1);
   if (algorithm_ == nullptr) algorithm_ = dispatcher_.findAlgorithm(&a, &b, shared, BT_CONTACT_POINT_ALGORITHMS);
-  RecordingResult result(&a, &b);
+  std::vector<Contact> contacts;
+  recorded = &contacts;
+  btManifoldResult result(&a, &b);
   algorithm_->processCollision(&a, &b, btDispatcherInfo(), &result);
-  return result.contacts;
+  recorded = nullptr;
+  return contacts;
 }
 
-std::vector<Contact> PairQuery::ClosestPoints(double threshold) {
+std::vector<Contact> PairQuery::Ask(ebtDispatcherQueryType table, double threshold) {
   const btCollisionObjectWrapper a(nullptr, body_a_.getCollisionShape(), &body_a_, body_a_.getWorldTransform(), -1, -1);
   const btCollisionObjectWrapper b(nullptr, body_b_.getCollisionShape(), &body_b_, body_b_.getWorldTransform(), -1, -1);
-  btCollisionAlgorithm* algorithm = dispatcher_.findAlgorithm(&a, &b, nullptr, BT_CLOSEST_POINT_ALGORITHMS);
+  btCollisionAlgorithm* algorithm = dispatcher_.findAlgorithm(&a, &b, nullptr, table);
   RecordingResult result(&a, &b);
   result.m_closestPointDistanceThreshold = btScalar(threshold);
   algorithm->processCollision(&a, &b, btDispatcherInfo(), &result);

@@ -15,7 +15,7 @@
 
 namespace dgd_test {
 
-/// One call of addContactPoint().
+/// One contact as it leaves the algorithm.
 struct Contact {
   Vector normal_b_to_a{0, 0, 0};
   Vector on_b{0, 0, 0};
@@ -26,15 +26,6 @@ struct Contact {
 
 /// The one with the least depth; the list must not be empty.
 const Contact& Deepest(const std::vector<Contact>& contacts);
-
-/// Passes contacts on to Bullet and remembers them as they came.
-class RecordingResult : public btManifoldResult {
- public:
-  using btManifoldResult::btManifoldResult;
-  void addContactPoint(const btVector3& normal_on_b, const btVector3& point, btScalar depth) override;
-
-  std::vector<Contact> contacts;
-};
 
 /// One pair of bodies and its algorithm, which lives as long as this or until Forget().
 class PairQuery {
@@ -51,12 +42,15 @@ class PairQuery {
   PosedConvex A() const;
   PosedConvex B() const;
 
-  /// One step of the pair, in the contact table; makes the algorithm if there is none.
+  /// One step of the pair, in the contact table; makes the algorithm if there is none. The contacts that go into the
+  /// manifold.
   /// @param shared  Manifold to hand to a new algorithm, as a mesh does; null for the algorithm's own.
   std::vector<Contact> Step(btPersistentManifold* shared = nullptr);
 
-  /// As contactPairTest() does it: closest-points table, a fresh algorithm, and all points up to `threshold` apart.
-  std::vector<Contact> ClosestPoints(double threshold);
+  /// As contactPairTest() does it: a fresh algorithm, of the contact table, or of the closest-points table and all
+  /// points up to `threshold` apart.
+  std::vector<Contact> ContactTest() { return Ask(BT_CONTACT_POINT_ALGORITHMS, 0); }
+  std::vector<Contact> ClosestPoints(double threshold) { return Ask(BT_CLOSEST_POINT_ALGORITHMS, threshold); }
 
   /// Destroys the algorithm, as the loss of the broadphase pair does.
   void Forget();
@@ -66,6 +60,8 @@ class PairQuery {
   btPersistentManifold* manifold();
 
  private:
+  std::vector<Contact> Ask(ebtDispatcherQueryType table, double threshold);
+
   btCollisionDispatcher& dispatcher_;
   btCollisionObject body_a_, body_b_;
   btCollisionAlgorithm* algorithm_ = nullptr;

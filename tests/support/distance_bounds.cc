@@ -15,7 +15,7 @@ namespace {
 using Vector = Eigen::Vector3d;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Of the set's size: what rounding leaves of its points.
+/// Of the set's size: what rounding leaves of its points, and the bounds are not brought nearer than.
 constexpr double kNegligible = 1e-15;
 
 /// Some points of a convex set: at most four, the corners of a simplex.
@@ -84,7 +84,7 @@ class Bounds {
  public:
   explicit Bounds(const SupportFunction& support) : support_(support) {}
 
-  /// The plane along `normal`, a unit vector from the set to the origin.
+  /// The supporting plane along `normal`, a unit vector outward of the set.
   /// @return the point of the set that is on it.
   Vector AddPlane(const Vector& normal) {
     const Vector point = support_(normal);
@@ -206,19 +206,22 @@ class InnerPolytope {
 
 /// Four points of the set that span as much as they can; false if they are flat.
 bool SpanTetrahedron(Bounds& bounds, std::array<Vector, 4>& corners) {
+  // Along no direction that shapes are built along.
+  const Vector anyhow(0.48, 0.6, 0.64);
+  constexpr double kFlat = 1e-9;  // Of the longest edge.
   const auto farther = [&](const Vector& direction, const Vector& from) {
     const Vector a = bounds.AddPlane(direction), b = bounds.AddPlane(-direction);
     return std::abs((a - from).dot(direction)) > std::abs((b - from).dot(direction)) ? a : b;
   };
-  corners[0] = bounds.AddPlane(Vector(0.48, 0.6, 0.64));
-  corners[1] = farther(Vector(0.48, 0.6, 0.64), corners[0]);
+  corners[0] = bounds.AddPlane(anyhow);
+  corners[1] = farther(anyhow, corners[0]);
   const Vector edge = corners[1] - corners[0];
   if (!(edge.norm() > 0)) return false;
   corners[2] = farther(edge.unitOrthogonal(), corners[0]);
   const Vector normal = edge.cross(corners[2] - corners[0]);
-  if (!(normal.norm() > 1e-9 * edge.squaredNorm())) return false;
+  if (!(normal.norm() > kFlat * edge.squaredNorm())) return false;
   corners[3] = farther(normal.normalized(), corners[0]);
-  return std::abs((corners[3] - corners[0]).dot(normal.normalized())) > 1e-9 * edge.norm();
+  return std::abs((corners[3] - corners[0]).dot(normal.normalized())) > kFlat * edge.norm();
 }
 
 /// Closes the bounds in if the origin is inside.

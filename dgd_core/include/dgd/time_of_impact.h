@@ -47,11 +47,11 @@ struct TimeOfImpactResult {
 template <class S>
 inline constexpr S kPlaneTolerance = 1024 * kEpsilon<S>;
 
-/// Whether such a result has a plane between the sets, or they overlap; if not, the sets have no interior, or rounding
-/// keeps the bounds apart, and the signed distance is to be asked.
+/// Whether such a growth distance brings no plane between the sets and does not show that they overlap either: they
+/// have no interior, or rounding keeps the bounds apart. The signed distance tells then.
 template <class S>
-bool TellsApart(const Result<S>& growth) {
-  return growth.status == Status::kInvalidInput || growth.separation > 0 || growth.upper_bound <= 1;
+bool IsUndecided(const Result<S>& growth) {
+  return growth.status != Status::kInvalidInput && !(growth.separation > 0 || growth.upper_bound <= 1);
 }
 
 /// The plane between two sets that the growth distance brings, as far as Result's status, normal, separation and
@@ -63,7 +63,7 @@ ResultOf<Set1> PlaneBetween(const Set1& set_1, const PoseOf<Set1>& pose_1, const
   Settings<S> settings;
   settings.relative_tolerance = kPlaneTolerance<S>;
   ResultOf<Set1> result = GrowthDistance(set_1, pose_1, set_2, pose_2, settings, &warm_start);
-  if (TellsApart(result)) return result;
+  if (!IsUndecided(result)) return result;
   const SignedDistanceResult<S> distance = SignedDistance(set_1, pose_1, set_2, pose_2, result, &warm_start, settings);
   result.status = distance.status;
   result.iterations += distance.iterations;

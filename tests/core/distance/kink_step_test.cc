@@ -28,8 +28,8 @@ Eigen::Matrix<double, 2, 3> TangentsAt(const Point& normal) {
 dgd::PieceModels<double> ModelsAt(const std::vector<Ball>& balls, const Point& normal) {
   dgd::PieceModels<double> pieces;
   for (const Ball& ball : balls) {
-    pieces.models[pieces.size++] = {ball.center + ball.radius * normal, ball.radius * Eigen::Matrix2d::Identity(),
-                                    1 / double(balls.size())};
+    pieces[pieces.size++] = {ball.center + ball.radius * normal, ball.radius * Eigen::Matrix2d::Identity(),
+                             1 / double(balls.size())};
   }
   return pieces;
 }

@@ -10,7 +10,7 @@
 // their simplex that is nearest to the origin: sequential quadratic programming.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -19,7 +19,7 @@
 
 namespace dgd {
 
-/// One piece's support function about a unit normal.
+/// One piece's support function about a unit normal. All vectors are in one frame, about the origin that is meant.
 template <class S>
 struct PieceModel {
   Vector3<S> point;              ///< The piece's support point along the normal, metres.
@@ -32,25 +32,30 @@ template <class S>
 struct PieceModels {
   std::array<PieceModel<S>, 3> models;
   std::size_t size = 0;
+
+  const PieceModel<S>& operator[](std::size_t i) const { return models[i]; }
+  PieceModel<S>& operator[](std::size_t i) { return models[i]; }
 };
 
+/// @param normal    Unit length.
 /// @param tangents  Rows: two unit vectors across `normal` and across each other.
+/// @param pieces    At least one.
 /// @param next      Out: the next normal, unit length.
 /// @return false if the pieces' points are in line with the normal, or alike.
 template <class S>
 bool StepOnKink(const Vector3<S>& normal, const Eigen::Matrix<S, 2, 3>& tangents, const PieceModels<S>& pieces,
                 Vector3<S>& next) {
-  const PieceModel<S>& first = pieces.models[0];
+  const PieceModel<S>& first = pieces[0];
   Vector2<S> gradient = Vector2<S>::Zero();
   SquareMatrix<S, 2> hessian = SquareMatrix<S, 2>::Zero();
   for (std::size_t i = 0; i < pieces.size; ++i) {
-    const PieceModel<S>& piece = pieces.models[i];
+    const PieceModel<S>& piece = pieces[i];
     gradient += piece.weight * (tangents * piece.point);
     hessian += piece.weight * (piece.curvature - normal.dot(piece.point) * SquareMatrix<S, 2>::Identity());
   }
   // Across the normal, and along it.
-  const auto slope = [&](std::size_t i) -> Vector2<S> { return tangents * (pieces.models[i].point - first.point); };
-  const auto lead = [&](std::size_t i) -> S { return normal.dot(first.point - pieces.models[i].point); };
+  const auto slope = [&](std::size_t i) -> Vector2<S> { return tangents * (pieces[i].point - first.point); };
+  const auto lead = [&](std::size_t i) -> S { return normal.dot(first.point - pieces[i].point); };
   Vector2<S> step;
   if (pieces.size == 1) {
     step = -hessian.inverse() * gradient;

@@ -76,8 +76,8 @@ class SignedDistanceSearch {
     AddBasis(last);
     if (simplex_.Size() == 0) {
       if constexpr (Difference::kIsPolytope) return Status::kStalled;
-      const Point normal = difference_.DirectionToFrame(last.normal_1);
-      simplex_.Add(Cut(std::abs(normal.squaredNorm() - 1) < S(0.1) ? normal.normalized() : Point(Point::UnitZ())));
+      const bool is_known = last.normal_1.squaredNorm() > S(0.5);  // Else it is zero.
+      simplex_.Add(Cut(is_known ? difference_.DirectionToFrame(last.normal_1).normalized() : Point(Point::UnitZ())));
       if (Separation() > settings_.separation_limit) return Status::kSeparated;
     }
     return Approach();
@@ -144,6 +144,8 @@ class SignedDistanceSearch {
   bool IsOptimal() const { return nearest_ + best_.height <= Tolerance(); }
   /// Apart, the points are off by the root of the gap: for their sake more is asked for than the tolerance.
   bool HasGoodPoints() const { return nearest_ + best_.height <= std::max(Rounding(), kForPoints * Tolerance()); }
+  /// With the origin inside K: whether no normal elsewhere is much better.
+  bool IsBestElsewhere() const { return best_.height + nearest_ <= kElsewhere * best_.height; }
   bool IsExhausted() const { return iterations_ >= settings_.max_iterations; }
 
   /// Not inlined: it is called from many places.
@@ -201,9 +203,9 @@ class SignedDistanceSearch {
       if (same == size) {
         const auto piece = difference_.AlongTangents(corner.feature_1, corner.feature_2, normal, tangents);
         pieces.points[same] = Shifted(piece.support);
-        pieces.models.models[size++] = {pieces.points[same].point, piece.derivative, 0};
+        pieces.models[size++] = {pieces.points[same].point, piece.derivative, 0};
       }
-      pieces.models.models[same].weight += simplex_.Weight(i);
+      pieces.models[same].weight += simplex_.Weight(i);
     }
     return pieces;
   }
@@ -314,7 +316,7 @@ class SignedDistanceSearch {
       const auto& face = polytope.Nearest();
       nearest_ = std::min(nearest_, -polytope.Inradius());
       if (IsOptimal()) return finish(Status::kOptimal);
-      if (is_stationary_ && best_.height + nearest_ <= kElsewhere * best_.height) return finish(Status::kOptimal);
+      if (is_stationary_ && IsBestElsewhere()) return finish(Status::kOptimal);
       if (IsExhausted()) return finish(Status::kIterationLimit);
       if (polytope.IsSliver(face)) return finish(Status::kStalled);
       const Point own = face.normal;
@@ -332,18 +334,20 @@ class SignedDistanceSearch {
   /// @param of_inner  The foot so far.
   [[gnu::noinline]] Status Refine(Feature of_inner) {
     constexpr int kMaxRounds = 8;
+    constexpr S kNarrower = 4;
+    // By which a border that curves as a ball of K's size recedes by the gap, and some more.
     S tilt = std::min(kWidest, 2 * std::sqrt((nearest_ + best_.height) / size_));
     for (int round = 0; round < kMaxRounds; ++round) {
       switch (ExpandNearby(tilt, of_inner)) {
         case Nearby::kClosed:
-          return Finish(Status::kOptimal, of_inner);
+          return Finish(IsBestElsewhere() ? Status::kOptimal : Status::kStalled, of_inner);
         case Nearby::kExhausted:
           return Finish(Status::kIterationLimit, of_inner);
         case Nearby::kTooNarrow:
-          tilt = std::min(kWidest, 4 * tilt);
+          tilt = std::min(kWidest, kNarrower * tilt);
           break;
         case Nearby::kFull:
-          tilt /= 4;
+          tilt /= kNarrower;
       }
     }
     return Finish(Status::kStalled, of_inner);
@@ -352,14 +356,16 @@ class SignedDistanceSearch {
   enum class Nearby {
     kClosed,     ///< No normal nearby is better.
     kFull,       ///< Once more, nearer.
-    kTooNarrow,  ///< Rounding tells the points no longer apart.
+    kTooNarrow,  ///< Rounding tells the points no longer apart, or the best normal is beyond them.
     kExhausted,  ///< Of evaluations.
   };
 
   /// An expanding polytope about the best plane: a triangle of K there, whose normals are `tilt` radians aside, and the
   /// point of K that is farthest behind it. Faces that look elsewhere are none of K's, and of no account.
   [[gnu::noinline]] Nearby ExpandNearby(S tilt, Feature& of_inner) {
-    constexpr S kAside = S(0.7);  // Cosine to the best plane's normal, of faces that look elsewhere.
+    // Cosine to the best plane's normal: the triangle's faces look at most kWidest aside, those to the point behind it
+    // about at right angles.
+    constexpr S kAside = S(0.7);
     const Point middle = best_.normal;
     const Matrix3<S> axes = FrameAlong<S>(middle);
     std::array<Feature, 4> corners;
@@ -377,7 +383,6 @@ class SignedDistanceSearch {
       const Point foot = best_.height * best_.normal;
       of_inner = polytope.NearestTo(foot);
       if (best_.height - face.distance <= Tolerance()) {
-        // Or the best normal is beyond the triangle.
         const bool is_above = (of_inner.point - foot).squaredNorm() <= Tolerance() * size_;
         return is_above ? Nearby::kClosed : Nearby::kTooNarrow;
       }
