@@ -20,11 +20,7 @@ BenchWorld::~BenchWorld() {
 }
 
 btRigidBody& BenchWorld::Add(btCollisionShape& shape, double mass, const btTransform& pose) {
-  btVector3 inertia(0, 0, 0);
-  if (mass > 0) shape.calculateLocalInertia(btScalar(mass), inertia);
-  btRigidBody::btRigidBodyConstructionInfo info(btScalar(mass), nullptr, &shape, inertia);
-  info.m_startWorldTransform = pose;
-  bodies_.push_back(std::make_unique<btRigidBody>(info));
+  bodies_.push_back(dgd_test::MakeRigidBody(shape, mass, pose));
   world_.addRigidBody(bodies_.back().get());
   return *bodies_.back();
 }

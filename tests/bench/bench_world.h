@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bench/threaded_dispatcher.h"
+#include "plugin/rigid_body.h"
 #include "simulation/narrowphase.h"
 
 namespace dgd_bench {
@@ -75,7 +76,7 @@ class BenchWorld {
   Floor floor_;
 };
 
-inline btVector3 Vec(double x, double y, double z) { return {btScalar(x), btScalar(y), btScalar(z)}; }
+using dgd_test::Vec;
 inline btTransform At(const btVector3& place, const btQuaternion& turn = btQuaternion::getIdentity()) {
   return btTransform(turn, place);
 }

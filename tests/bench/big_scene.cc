@@ -219,7 +219,7 @@ void BuildMixedOnTerrain(BenchWorld& world) {
 /// The cell of a point among others within a box: the planes that are nearer to it, and what they bound.
 std::vector<btVector3> VoronoiCell(const std::vector<btVector3>& sites, std::size_t own, const btVector3& half,
                                    double margin) {
-  constexpr std::size_t kNeighbours = 26;
+  constexpr std::size_t kNeighbours = 60;  // No cell has a face towards one farther away.
   std::vector<btVector3> nearest = sites;
   std::ranges::sort(nearest, {}, [&](const btVector3& site) { return site.distance2(sites[own]); });
   btAlignedObjectArray<btVector3> planes, corners;
@@ -249,6 +249,7 @@ void BuildRubble(BenchWorld& world) {
   constexpr int kCells = 250;
   constexpr double kMargin = 0.01;
   const btVector3 half = Vec(3, 0.5, 2);
+  const double volume = 8 * double(half.x() * half.y() * half.z());
   world.AddGround(50);
   Random random(11);
   std::vector<btVector3> sites;
@@ -265,7 +266,7 @@ void BuildRubble(BenchWorld& world) {
     for (const btVector3& corner : corners) cell.addPoint(corner - center, false);
     cell.recalcLocalAabb();
     cell.setMargin(btScalar(kMargin));
-    world.Add(cell, kDensity * 24 / kCells, At(center + Vec(0, 0, 2)));
+    world.Add(cell, kDensity * volume / kCells, At(center + Vec(0, 0, 2)));
   }
   btRigidBody& ball = world.Add(world.Make<btSphereShape>(btScalar(0.6)), 2000, At(Vec(0.3, -8, 2)));
   ball.setLinearVelocity(Vec(0, 15, 2));

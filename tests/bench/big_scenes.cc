@@ -13,6 +13,7 @@
 
 #include "bench/bench_world.h"
 #include "bench/big_scene.h"
+#include "bench/duration_option.h"
 #include "bench/exit_status.h"
 #include "program_main.h"
 #include "report/progress_bar.h"
@@ -46,7 +47,6 @@ struct Options {
 };
 
 std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
-  constexpr double kLongest = 3600;
   Options options;
   std::vector<std::string> names;
   for (const BigScene& scene : BigScenes()) names.emplace_back(scene.name);
@@ -55,10 +55,7 @@ std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* 
   app.add_option("--scenes", options.scenes, "Their names; default: all")
       ->type_name("NAME")
       ->check(CLI::IsMember(names));
-  app.add_option("--duration", options.duration, "Simulated seconds")
-      ->type_name("S")
-      ->check(CLI::Range(0.1, kLongest).description(""))
-      ->capture_default_str();
+  AddDurationOption(app, options.duration);
   app.add_flag("--list", options.list, "Lists the scenes");
   try {
     app.parse(argc, argv);

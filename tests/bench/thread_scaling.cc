@@ -12,6 +12,7 @@
 
 #include "bench/bench_world.h"
 #include "bench/big_scene.h"
+#include "bench/duration_option.h"
 #include "bench/exit_status.h"
 #include "program_main.h"
 #include "report/progress_bar.h"
@@ -37,7 +38,6 @@ struct Options {
 
 std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
   constexpr int kMostThreads = 256;
-  constexpr double kLongest = 3600;
   Options options;
   CLI::App app(kDescription, "thread_scaling");
   app.footer(kFooter);
@@ -45,10 +45,7 @@ std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* 
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads).description(""))
       ->capture_default_str();
-  app.add_option("--duration", options.duration, "Simulated seconds")
-      ->type_name("S")
-      ->check(CLI::Range(0.1, kLongest).description(""))
-      ->capture_default_str();
+  AddDurationOption(app, options.duration);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& end) {

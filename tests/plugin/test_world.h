@@ -10,14 +10,13 @@
 #include "dgd_bullet/collision_configuration.h"
 #include "dgd_bullet/register.h"
 #include "plugin/bullet_oracle.h"
+#include "plugin/rigid_body.h"
 
 namespace dgd_test {
 
 /// How a dispatcher gets its narrowphase.
 enum class Route { kConfiguration, kRegister, kBuiltin };
 std::string Name(Route route);
-
-inline btVector3 Vec(double x, double y, double z) { return {btScalar(x), btScalar(y), btScalar(z)}; }
 
 /// With the statistics by pair of types.
 inline dgd_bullet::Options Counting() {
