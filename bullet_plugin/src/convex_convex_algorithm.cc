@@ -137,7 +137,6 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
   };
   PosedShape shape_a = adapt(body_0, hull_0_);
   PosedShape shape_b = adapt(body_1, hull_1_);
-  MoveCentersTogether(shape_a, shape_b);
   Recall(is_other_order, shape_a.pose, shape_b.pose);
   const PairMotion motion = MotionToMeet(*body_0->getCollisionObject(), *body_1->getCollisionObject(), info);
   const double breaking_threshold = double(manifold_->getContactBreakingThreshold());
@@ -150,17 +149,31 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
   settings.max_iterations = options.max_iterations;
   settings.separation_limit = std::max(contact_distance, motion.MaxApproach());
   dgd::Result<double> result;
+  dgd::FacingFaces<double> facing;
   const bool wants_least = options.normal_mode == NormalMode::kLeastTranslation;
-  const bool has_followed =
-      wants_least && may_be_apart_ && FollowDistance(shape_a, shape_b, settings, warm_start_, result);
-  if (!has_followed) result = SolvePair(shape_a, shape_b, settings, warm_start_);
-  may_be_apart_ = has_followed || result.status == dgd::Status::kSeparated || result.separation > 0;
+  const auto stay_apart = [&] {
+    const double approach = motion.MaxApproach(Vector3(shape_a.pose.rotation * warm_start_.normal_1));
+    return StayApart(shape_a, shape_b, std::max(contact_distance, approach), warm_start_, result);
+  };
+  const bool is_held = face_holder_ != dgd::FaceHolder::kNone;
+  const bool has_kept = is_held ? FollowFace(shape_a, shape_b, settings, options.angular_tolerance, face_holder_,
+                                             warm_start_, facing, result)
+                                : !had_contact_ && stay_apart();
+  bool has_followed = has_kept;
+  if (!has_kept) {
+    face_holder_ = dgd::FaceHolder::kNone;
+    MoveCentersTogether(shape_a, shape_b);
+    has_followed = wants_least && may_be_apart_ && FollowDistance(shape_a, shape_b, settings, warm_start_, result);
+    if (!has_followed) result = SolvePair(shape_a, shape_b, settings, warm_start_);
+    may_be_apart_ = has_followed || result.status == dgd::Status::kSeparated || result.separation > 0;
+  }
 
   dgd::ContactPatch<double> patch;
   if (result.status != dgd::Status::kSeparated) {
     if (!IsCertified(result)) return result.status;
     const bool is_near = result.separation <= contact_distance;
-    if (is_near || TouchWithinStep(shape_a, shape_b, result, motion)) {
+    if (!is_near && has_kept) MoveCentersTogether(shape_a, shape_b);  // For the sweep.
+    if (is_near || TouchWithinStep(shape_a, shape_b, result, warm_start_, motion)) {
       if (wants_least && !has_followed) {
         if (is_asked) settings.max_iterations *= kPatience;
         may_be_apart_ = TurnToLeastTranslation(shape_a, shape_b, settings, warm_start_, result);
@@ -168,11 +181,19 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
       const dgd::PatchSettings<double> of_patch{.contact_distance = contact_distance,
                                                 .spacing = breaking_threshold,
                                                 .equal_depth = (is_asked ? kNoDepth : kEqualDepth) * breaking_threshold,
-                                                .angular_tolerance = options.angular_tolerance,
                                                 .max_points = options.patch_size};
-      patch = options.contact_patch ? FindPatch(shape_a, shape_b, result, of_patch, motion) : WitnessOnly(result);
+      if (!options.contact_patch) {
+        patch = WitnessOnly(result);
+      } else {
+        if (!has_kept) {
+          FindFacingFaces(shape_a, shape_b, result, options.angular_tolerance, facing);
+          if (wants_least && may_be_apart_) face_holder_ = HolderOf(facing);
+        }
+        patch = FindPatch(result, facing, of_patch, motion);
+      }
     }
   }
+  had_contact_ = patch.size > 0;
   if (PairCounters* counters = narrowphase_.pair_counters()) {
     counters->Count(ShapeOf(body_0).getShapeType(), ShapeOf(body_1).getShapeType(),
                     OutcomeOf(result, has_followed, patch.size));
@@ -228,9 +249,11 @@ void ConvexConvexAlgorithm::Recall(bool is_other_order, const Pose& pose_a, cons
   if (!narrowphase_.options().warm_start) {
     warm_start_ = {};
     may_be_apart_ = true;
+    face_holder_ = dgd::FaceHolder::kNone;
   } else if (is_other_order) {
     std::swap(warm_start_.features_1, warm_start_.features_2);
     warm_start_.normal_1 = -pose_a.rotation.transpose() * (pose_b.rotation * warm_start_.normal_1);
+    face_holder_ = Swapped(face_holder_);
   }
 }
 

@@ -13,6 +13,7 @@
 
 #include "dgd/contact_patch.h"
 #include "dgd/growth_distance.h"
+#include "dgd/held_face.h"
 #include "hull_cache.h"
 #include "narrowphase.h"
 #include "pair_motion.h"
@@ -77,8 +78,10 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   std::unique_ptr<RestingPair> resting_;  // Once the pair has rested.
   bool is_resting_ = false;               // That is what the manifold's contacts have been found for.
   bool owns_manifold_ = false;
-  bool may_be_apart_ = true;  // The cores, by all that is known: FollowDistance() is tried.
-  bool was_swapped_ = false;  // That order is not Bullet's.
+  bool may_be_apart_ = true;                              // The cores, by all that is known: FollowDistance() is tried.
+  bool had_contact_ = false;                              // In the last step.
+  bool was_swapped_ = false;                              // That order is not Bullet's.
+  dgd::FaceHolder face_holder_ = dgd::FaceHolder::kNone;  // Of the last contact.
   const bool speculative_;
 };
 

@@ -16,6 +16,14 @@ void Take(const dgd::SignedDistanceResult<double>& turned, dgd::Result<double>& 
   result.witness_2 = turned.witness_2;
 }
 
+bool TakeIfCertain(const dgd::SignedDistanceResult<double>& followed, dgd::Result<double>& result) {
+  if (followed.status != dgd::Status::kOptimal && followed.status != dgd::Status::kSeparated) return false;
+  result.status = followed.status;
+  result.iterations = followed.iterations;
+  Take(followed, result);
+  return true;
+}
+
 }  // namespace
 
 bool TurnToLeastTranslation(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Settings<double>& settings,
@@ -52,14 +60,27 @@ bool FollowDistance(const PosedShape& shape_a, const PosedShape& shape_b, const 
                        if (!(set_a.radius + set_b.radius > 0)) return false;
                        // Without a state, the growth distance tells sooner that polytopes are apart.
                        if (dgd::MinkowskiDifference<SetA, SetB>::kIsPolytope && warm_start.size == 0) return false;
-                       const dgd::SignedDistanceResult<double> followed =
-                           dgd::FollowDistance(set_a, shape_a.pose, set_b, shape_b.pose, for_pair, warm_start);
-                       result.status = followed.status;
-                       result.iterations = followed.iterations;
-                       Take(followed, result);
-                       return followed.status == dgd::Status::kOptimal || followed.status == dgd::Status::kSeparated;
+                       return TakeIfCertain(
+                           dgd::FollowDistance(set_a, shape_a.pose, set_b, shape_b.pose, for_pair, warm_start), result);
                      } else {
                        return false;
+                     }
+                   });
+}
+
+bool FollowFace(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Settings<double>& settings,
+                double angular_tolerance, dgd::FaceHolder holder, dgd::WarmStart<double>& warm_start,
+                dgd::FacingFaces<double>& facing, dgd::Result<double>& result) {
+  return VisitPair(shape_a, shape_b, settings,
+                   [&]<class SetA, class SetB>([[maybe_unused]] const SetA& set_a, [[maybe_unused]] const SetB& set_b,
+                                               [[maybe_unused]] const dgd::Settings<double>& for_pair) {
+                     // What only Bullet can evaluate shows no faces.
+                     if constexpr (kIsErased<SetA>) {
+                       return false;
+                     } else {
+                       return TakeIfCertain(dgd::FollowFace(set_a, shape_a.pose, set_b, shape_b.pose, for_pair,
+                                                            angular_tolerance, holder, warm_start, facing),
+                                            result);
                      }
                    });
 }

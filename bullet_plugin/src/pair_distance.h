@@ -2,6 +2,7 @@
 // pair_solver.h.
 #pragma once
 
+#include "dgd/held_face.h"
 #include "dgd/query_types.h"
 #include "posed_shape.h"
 
@@ -21,5 +22,14 @@ bool TurnToLeastTranslation(const PosedShape& shape_a, const PosedShape& shape_b
 ///         are new, shapes that only Bullet can evaluate.
 bool FollowDistance(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Settings<double>& settings,
                     dgd::WarmStart<double>& warm_start, dgd::Result<double>& result);
+
+/// The same for a pair whose last contact was on a face of one of the shapes, and which most often lies there still:
+/// the contact's patch alone is proof of it (dgd::FollowFace()).
+/// @param holder  Of that face; not kNone.
+/// @param facing  Out: what the shapes show each other along the face's normal, if the result is optimal.
+/// @return false, with nothing but `facing` changed, if the face does not tell.
+bool FollowFace(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Settings<double>& settings,
+                double angular_tolerance, dgd::FaceHolder holder, dgd::WarmStart<double>& warm_start,
+                dgd::FacingFaces<double>& facing, dgd::Result<double>& result);
 
 }  // namespace dgd_bullet

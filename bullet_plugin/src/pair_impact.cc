@@ -17,11 +17,11 @@ constexpr double kMinAlignment = 0.95;
 }  // namespace
 
 bool TouchWithinStep(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Result<double>& result,
-                     const PairMotion& motion) {
+                     const dgd::WarmStart<double>& warm_start, const PairMotion& motion) {
   if (!(result.separation <= motion.MaxApproach(result.normal))) return false;
   const dgd::TimeOfImpactResult<double> impact =
       SweepPair(shape_a, motion.MotionOfA(shape_a.pose), shape_b, motion.MotionOfB(shape_b.pose),
-                {.tolerance = kTouching * result.separation, .max_planes = kMaxPlanes});
+                {.tolerance = kTouching * result.separation, .max_planes = kMaxPlanes}, &result, warm_start);
   return impact.status == dgd::Status::kTouching && impact.normal.dot(result.normal) >= kMinAlignment;
 }
 

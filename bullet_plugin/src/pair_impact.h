@@ -13,8 +13,8 @@ namespace dgd_bullet {
 ///
 /// By a sweep (dgd/time_of_impact.h) of a few planes: bodies that turn fast may be missed. Bodies that come nearer than
 /// a hundredth of their first separation count as touching.
-/// @param result  Of the shapes in their present poses; apart.
+/// @param result, warm_start  Of the shapes in their present poses; apart.
 bool TouchWithinStep(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Result<double>& result,
-                     const PairMotion& motion);
+                     const dgd::WarmStart<double>& warm_start, const PairMotion& motion);
 
 }  // namespace dgd_bullet

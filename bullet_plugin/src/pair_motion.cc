@@ -16,14 +16,12 @@ double Reach(const btCollisionObject& object) {
   return (high - center).cwiseMax(center - low).norm();
 }
 
-void PairMotion::Read(const btCollisionObject& object, Twist& twist) {
+PairMotion::Twist PairMotion::Read(const btCollisionObject& object) {
   const btRigidBody* body = btRigidBody::upcast(&object);
-  if (body == nullptr || body->isStaticObject()) return;
-  twist.linear = FromBullet(body->getLinearVelocity());
-  twist.angular = FromBullet(body->getAngularVelocity());
+  if (body == nullptr || body->isStaticObject()) return {};
   // The centre of mass is the origin of the world transform.
-  twist.center = FromBullet(body->getWorldTransform().getOrigin());
-  rim_speed_ += twist.angular.norm() * Reach(object);
+  return {FromBullet(body->getLinearVelocity()), FromBullet(body->getAngularVelocity()),
+          FromBullet(body->getWorldTransform().getOrigin()), Reach(object)};
 }
 
 dgd::Motion<double> PairMotion::Twist::MotionOf(const Pose& pose, double time) const {
@@ -31,9 +29,6 @@ dgd::Motion<double> PairMotion::Twist::MotionOf(const Pose& pose, double time) c
 }
 
 PairMotion::PairMotion(const btCollisionObject& body_a, const btCollisionObject& body_b, double time_step)
-    : time_step_(time_step) {
-  Read(body_a, a_);
-  Read(body_b, b_);
-}
+    : a_(Read(body_a)), b_(Read(body_b)), time_step_(time_step) {}
 
 }  // namespace dgd_bullet

@@ -29,9 +29,11 @@ class PairMotion {
   /// No point of either body approaches the other by more than this: along `normal` (unit, from A to B), or at all.
   /// Metres.
   double MaxApproach(const Vector3& normal) const {
-    return time_step_ * (normal.dot(a_.linear - b_.linear) + rim_speed_);
+    return time_step_ * (normal.dot(a_.linear - b_.linear) + a_.RimSpeed(normal) + b_.RimSpeed(normal));
   }
-  double MaxApproach() const { return time_step_ * ((a_.linear - b_.linear).norm() + rim_speed_); }
+  double MaxApproach() const {
+    return time_step_ * ((a_.linear - b_.linear).norm() + a_.angular.norm() * a_.reach + b_.angular.norm() * b_.reach);
+  }
 
   /// The way of a pose that is fixed to a body over the time step.
   dgd::Motion<double> MotionOfA(const Pose& pose) const { return a_.MotionOf(pose, time_step_); }
@@ -41,18 +43,20 @@ class PairMotion {
   struct Twist {
     Vector3 VelocityAt(const Vector3& point) const { return linear + angular.cross(point - center); }
     dgd::Motion<double> MotionOf(const Pose& pose, double time) const;
+    /// No point goes faster along `normal` by rotation alone, on average over whatever time: turned by an angle about
+    /// an axis, a unit vector's end goes that angle at most times its distance from the axis.
+    double RimSpeed(const Vector3& normal) const { return angular.cross(normal).norm() * reach; }
 
     Vector3 linear = Vector3::Zero();   // Of the centre of mass, metres per second.
     Vector3 angular = Vector3::Zero();  // Radians per second.
     Vector3 center = Vector3::Zero();   // World, metres.
+    double reach = 0;                   // From the centre to the body's farthest point, metres.
   };
 
-  /// Reads the twist of a body, and adds its farthest point's speed by rotation alone to the rim speed.
-  void Read(const btCollisionObject& object, Twist& twist);
+  static Twist Read(const btCollisionObject& object);
 
   Twist a_, b_;
   double time_step_ = 0;
-  double rim_speed_ = 0;  // Of both bodies' farthest points by rotation alone, summed.
 };
 
 }  // namespace dgd_bullet

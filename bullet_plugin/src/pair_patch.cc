@@ -2,18 +2,24 @@
 
 namespace dgd_bullet {
 
-dgd::ContactPatch<double> FindPatch(const PosedShape& shape_a, const PosedShape& shape_b,
-                                    const dgd::Result<double>& result, const dgd::PatchSettings<double>& settings,
-                                    const PairMotion& motion) {
-  const dgd::PatchFrame<double> frame(result);
-  const auto face = [&frame](const PosedShape& shape, const Vector3& direction) {
-    return std::visit([&](const auto& set) { return dgd::FindFace(set, shape.pose, direction, frame); }, shape.set);
+void FindFacingFaces(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Result<double>& result,
+                     double angular_tolerance, dgd::FacingFaces<double>& facing) {
+  facing.Clear();
+  facing.frame = dgd::PatchFrame<double>(result);
+  const auto find = [&](const PosedShape& shape, const Vector3& direction, dgd::SupportingFace<double>& face) {
+    std::visit([&](const auto& set) { dgd::FindFace(set, shape.pose, direction, facing.frame, face); }, shape.set);
   };
+  find(shape_a, result.normal, facing.face_1);
+  find(shape_b, -result.normal, facing.face_2);
+  facing.FindOverlap(angular_tolerance);
+}
+
+dgd::ContactPatch<double> FindPatch(const dgd::Result<double>& result, const dgd::FacingFaces<double>& facing,
+                                    const dgd::PatchSettings<double>& settings, const PairMotion& motion) {
   const auto is_approaching = [&](const Vector3& point, double separation) {
     return separation <= motion.Approach(point, result.normal);
   };
-  return dgd::FindContactPatch(result, frame, face(shape_a, result.normal), face(shape_b, -result.normal), settings,
-                               is_approaching);
+  return dgd::FindContactPatch(result, facing, settings, is_approaching);
 }
 
 dgd::ContactPatch<double> WitnessOnly(const dgd::Result<double>& result) {

@@ -1,5 +1,7 @@
 #include "pair_sweep.h"
 
+#include <utility>
+
 #include "pair_distance.h"
 #include "pair_solver.h"
 #include "pair_visit.h"
@@ -7,12 +9,13 @@
 namespace dgd_bullet {
 
 dgd::TimeOfImpactResult<double> SweepPair(const PosedShape& shape_a, const Motion& motion_a, const PosedShape& shape_b,
-                                          const Motion& motion_b, const dgd::SweepSettings<double>& settings) {
+                                          const Motion& motion_b, const dgd::SweepSettings<double>& settings,
+                                          const dgd::Result<double>* at_start, dgd::WarmStart<double> warm_start) {
   dgd::Settings<double> for_planes;
   for_planes.relative_tolerance = dgd::kPlaneTolerance<double>;
   PosedShape moved_a = shape_a, moved_b = shape_b;
-  dgd::WarmStart<double> warm_start;
   const auto plane_between = [&](const Pose& pose_a, const Pose& pose_b) {
+    if (const dgd::Result<double>* known = std::exchange(at_start, nullptr)) return *known;
     moved_a.pose = pose_a;
     moved_b.pose = pose_b;
     dgd::Result<double> plane = SolvePair(moved_a, moved_b, for_planes, warm_start);

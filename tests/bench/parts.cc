@@ -202,20 +202,26 @@ void Face(benchmark::State& state) {
   Pair pair(kOverlapping, 0);
   for (auto _ : state) {
     const Pair::Input& in = pair.Next();
-    benchmark::DoNotOptimize(dgd::FindFace(pair.set_1(), in.pose_1, in.result.normal, in.frame));
+    dgd::SupportingFace<double> face;
+    dgd::FindFace(pair.set_1(), in.pose_1, in.result.normal, in.frame, face);
+    benchmark::DoNotOptimize(face);
   }
 }
 BENCHMARK(Face);
 
 void Patch(benchmark::State& state) {
   Pair pair(kOverlapping, 0);
+  constexpr double kAngularTolerance = 1.47;
   const dgd::PatchSettings<double> settings{.contact_distance = 0.02, .spacing = 0.02, .equal_depth = 2e-5};
   const auto is_approaching = [](const Vector3d&, double) { return false; };
   for (auto _ : state) {
     const Pair::Input& in = pair.Next();
-    const auto face_1 = dgd::FindFace(pair.set_1(), in.pose_1, in.result.normal, in.frame);
-    const auto face_2 = dgd::FindFace(pair.set_2(), in.pose_2, -in.result.normal, in.frame);
-    benchmark::DoNotOptimize(dgd::FindContactPatch(in.result, in.frame, face_1, face_2, settings, is_approaching));
+    dgd::FacingFaces<double> facing;
+    facing.frame = in.frame;
+    dgd::FindFace(pair.set_1(), in.pose_1, in.result.normal, in.frame, facing.face_1);
+    dgd::FindFace(pair.set_2(), in.pose_2, -in.result.normal, in.frame, facing.face_2);
+    facing.FindOverlap(kAngularTolerance);
+    benchmark::DoNotOptimize(dgd::FindContactPatch(in.result, facing, settings, is_approaching));
   }
 }
 BENCHMARK(Patch);

@@ -22,6 +22,7 @@ namespace {
 using Vector3d = Eigen::Vector3d;
 
 constexpr double kContactDistance = 0.02;
+constexpr double kAngularTolerance = 1.47;
 constexpr double kTolerance = 1e-9;  // Metres.
 
 bool Never(const Vector3d&, double) { return false; }
@@ -31,12 +32,13 @@ dgd::ContactPatch<double> PatchOf(const Set1& set_1, const dgd::Pose<double>& po
                                   const dgd::Pose<double>& pose_2, IsApproaching is_approaching = Never) {
   const dgd::Result<double> result = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2);
   EXPECT_EQ(result.status, dgd::Status::kOptimal);
-  const dgd::PatchFrame<double> frame(result);
-  const auto face_1 = dgd::FindFace(set_1, pose_1, result.normal, frame);
-  const auto face_2 = dgd::FindFace(set_2, pose_2, Vector3d(-result.normal), frame);
-  return dgd::FindContactPatch(result, frame, face_1, face_2,
-                               {.contact_distance = kContactDistance, .spacing = 0.01, .equal_depth = 1e-5},
-                               is_approaching);
+  dgd::FacingFaces<double> facing;
+  facing.frame = dgd::PatchFrame<double>(result);
+  dgd::FindFace(set_1, pose_1, result.normal, facing.frame, facing.face_1);
+  dgd::FindFace(set_2, pose_2, Vector3d(-result.normal), facing.frame, facing.face_2);
+  facing.FindOverlap(kAngularTolerance);
+  return dgd::FindContactPatch(
+      result, facing, {.contact_distance = kContactDistance, .spacing = 0.01, .equal_depth = 1e-5}, is_approaching);
 }
 
 dgd::Pose<double> At(const Vector3d& place, double turn_about_z = 0) {

@@ -77,10 +77,9 @@ SignedDistanceResult<typename Set1::Scalar> SignedDistance(const Set1& set_1, co
 /// @return kOptimal, certain as SignedDistance()'s; kSeparated, with the normal and the separation along it. All other
 ///         statuses mean failure, and no other field is usable: the cores may overlap, ask for the growth distance.
 template <class Set1, class Set2>
-SignedDistanceResult<typename Set1::Scalar> FollowDistance(const Set1& set_1, const PoseOf<Set1>& pose_1,
-                                                           const Set2& set_2, const PoseOf<Set1>& pose_2,
-                                                           const Settings<typename Set1::Scalar>& settings,
-                                                           WarmStartOf<Set1>& state) {
+[[gnu::flatten]] SignedDistanceResult<typename Set1::Scalar> FollowDistance(
+    const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2, const PoseOf<Set1>& pose_2,
+    const Settings<typename Set1::Scalar>& settings, WarmStartOf<Set1>& state) {
   SignedDistanceSearch<Set1, Set2> search(set_1, pose_1, set_2, pose_2, settings);
   SignedDistanceResult<typename Set1::Scalar> result;
   result.status = search.SolveApart(state);

@@ -1,6 +1,7 @@
 // The flat part of a core's surface that faces a direction: what two bodies in contact lie on.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
 
 #include "dgd/types.h"
@@ -20,6 +21,15 @@ struct SupportingFace {
   int size = 0;
   /// Of a segment: the radius of the surface's curve across it, metres. 0 for a sharp edge, and a safe choice.
   Scalar radius = 0;
+
+  /// Newell's normal, twice the area long: by the right hand, as the points run around it.
+  Vector3<Scalar> Area() const {
+    Vector3<Scalar> area = Vector3<Scalar>::Zero();
+    for (std::size_t i = 1; i + 1 < static_cast<std::size_t>(size); ++i) {
+      area += (points[i] - points[0]).cross(points[i + 1] - points[0]);
+    }
+    return area;
+  }
 
   void Add(const Vector3<Scalar>& point) { points[static_cast<std::size_t>(size++)] = point; }
 };
