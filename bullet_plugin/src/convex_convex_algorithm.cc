@@ -123,6 +123,24 @@ bool ConvexConvexAlgorithm::HasManifold(const btCollisionObjectWrapper* body_0,
   return manifold_ != nullptr;
 }
 
+struct ConvexConvexAlgorithm::Query {
+  Query(const PosedShape& a, const PosedShape& b) : shape_a(a), shape_b(b) {}
+
+  PosedShape shape_a, shape_b;
+  PairMotion motion;
+  double breaking_threshold = 0;  // Of the manifold, metres.
+  double contact_distance = 0;    // Not farther apart, there are contacts; metres.
+  bool is_asked = false;          // By an app, for the contacts themselves.
+  bool wants_least = false;       // The normal of least translation.
+  dgd::Settings<double> settings;
+
+  // The answer.
+  dgd::Result<double> result;
+  bool is_by_last_normal = false;    // Nothing was searched.
+  bool has_growth_distance = false;  // Else the signed distance, or a plane between the shapes.
+  dgd::FacingFaces<double> facing;   // Along the result's normal, if that was the last one and has contacts.
+};
+
 std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollisionObjectWrapper* body_0,
                                                                const btCollisionObjectWrapper* body_1,
                                                                const btDispatcherInfo& info,
@@ -135,68 +153,27 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
   const auto adapt = [&](const btCollisionObjectWrapper* body, std::shared_ptr<const CachedHull>& hull) {
     return AdaptShape(ShapeOf(body), body->getWorldTransform(), options.geometry_mode, narrowphase_.hulls(), hull);
   };
-  PosedShape shape_a = adapt(body_0, hull_0_);
-  PosedShape shape_b = adapt(body_1, hull_1_);
-  Recall(is_other_order, shape_a.pose, shape_b.pose);
-  const PairMotion motion = MotionToMeet(*body_0->getCollisionObject(), *body_1->getCollisionObject(), info);
-  const double breaking_threshold = double(manifold_->getContactBreakingThreshold());
-  const double contact_distance = (options.contact_distance > 0 ? options.contact_distance : breaking_threshold) +
-                                  double(output.m_closestPointDistanceThreshold);
+  Query query(adapt(body_0, hull_0_), adapt(body_1, hull_1_));
+  Recall(is_other_order, query.shape_a.pose, query.shape_b.pose);
+  query.motion = MotionToMeet(*body_0->getCollisionObject(), *body_1->getCollisionObject(), info);
+  query.breaking_threshold = double(manifold_->getContactBreakingThreshold());
+  query.contact_distance = (options.contact_distance > 0 ? options.contact_distance : query.breaking_threshold) +
+                           double(output.m_closestPointDistanceThreshold);
+  query.is_asked = IsAskedByApp(output);
+  query.wants_least = options.normal_mode == NormalMode::kLeastTranslation;
+  query.settings.relative_tolerance =
+      query.is_asked ? std::min(kExact, options.relative_tolerance) : options.relative_tolerance;
+  query.settings.max_iterations = options.max_iterations;
+  query.settings.separation_limit = std::max(query.contact_distance, query.motion.MaxApproach());
 
-  const bool is_asked = IsAskedByApp(output);
-  dgd::Settings<double> settings;
-  settings.relative_tolerance = is_asked ? std::min(kExact, options.relative_tolerance) : options.relative_tolerance;
-  settings.max_iterations = options.max_iterations;
-  settings.separation_limit = std::max(contact_distance, motion.MaxApproach());
-  dgd::Result<double> result;
-  dgd::FacingFaces<double> facing;
-  const bool wants_least = options.normal_mode == NormalMode::kLeastTranslation;
-  const auto stay_apart = [&] {
-    const double approach = motion.MaxApproach(Vector3(shape_a.pose.rotation * warm_start_.normal_1));
-    return StayApart(shape_a, shape_b, std::max(contact_distance, approach), warm_start_, result);
-  };
-  const bool is_held = face_holder_ != dgd::FaceHolder::kNone;
-  const bool has_kept = is_held ? FollowFace(shape_a, shape_b, settings, options.angular_tolerance, face_holder_,
-                                             warm_start_, facing, result)
-                                : !had_contact_ && stay_apart();
-  bool has_followed = has_kept;
-  if (!has_kept) {
-    face_holder_ = dgd::FaceHolder::kNone;
-    MoveCentersTogether(shape_a, shape_b);
-    has_followed = wants_least && may_be_apart_ && FollowDistance(shape_a, shape_b, settings, warm_start_, result);
-    if (!has_followed) result = SolvePair(shape_a, shape_b, settings, warm_start_);
-    may_be_apart_ = has_followed || result.status == dgd::Status::kSeparated || result.separation > 0;
-  }
-
-  dgd::ContactPatch<double> patch;
-  if (result.status != dgd::Status::kSeparated) {
-    if (!IsCertified(result)) return result.status;
-    const bool is_near = result.separation <= contact_distance;
-    if (!is_near && has_kept) MoveCentersTogether(shape_a, shape_b);  // For the sweep.
-    if (is_near || TouchWithinStep(shape_a, shape_b, result, warm_start_, motion)) {
-      if (wants_least && !has_followed) {
-        if (is_asked) settings.max_iterations *= kPatience;
-        may_be_apart_ = TurnToLeastTranslation(shape_a, shape_b, settings, warm_start_, result);
-      }
-      const dgd::PatchSettings<double> of_patch{.contact_distance = contact_distance,
-                                                .spacing = breaking_threshold,
-                                                .equal_depth = (is_asked ? kNoDepth : kEqualDepth) * breaking_threshold,
-                                                .max_points = options.patch_size};
-      if (!options.contact_patch) {
-        patch = WitnessOnly(result);
-      } else {
-        if (!has_kept) {
-          FindFacingFaces(shape_a, shape_b, result, options.angular_tolerance, facing);
-          if (wants_least && may_be_apart_) face_holder_ = HolderOf(facing);
-        }
-        patch = FindPatch(result, facing, of_patch, motion);
-      }
-    }
-  }
+  FindNormal(query);
+  dgd::Result<double>& result = query.result;
+  if (result.status != dgd::Status::kSeparated && !IsCertified(result)) return result.status;
+  dgd::ContactPatch<double> patch = FindContactPatch(query);
   had_contact_ = patch.size > 0;
   if (PairCounters* counters = narrowphase_.pair_counters()) {
     counters->Count(ShapeOf(body_0).getShapeType(), ShapeOf(body_1).getShapeType(),
-                    OutcomeOf(result, has_followed, patch.size));
+                    OutcomeOf(result, !query.has_growth_distance, patch.size));
   }
   if (is_swapped) {
     Swap(patch, result);
@@ -204,13 +181,60 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
   }
   if (WantsContacts(info.m_debugDraw)) DrawContacts(patch, result, *info.m_debugDraw);
   WriteContacts(patch, result.normal, output);
-  if (options.keep_resting_contacts && motion.MaxApproach() <= RestingDistance(breaking_threshold)) {
+  if (options.keep_resting_contacts && query.motion.MaxApproach() <= RestingDistance(query.breaking_threshold)) {
     RememberRest(*body_0, *body_1);
   }
   return std::nullopt;
 } catch (const std::exception&) {
   // A shape that is not one: NaN or infinite sizes, no points, no memory for its hull.
   return dgd::Status::kInvalidInput;
+}
+
+void ConvexConvexAlgorithm::FindNormal(Query& query) {
+  query.is_by_last_normal = AnswerByLastNormal(query);
+  if (query.is_by_last_normal) return;
+  face_holder_ = dgd::FaceHolder::kNone;
+  MoveCentersTogether(query.shape_a, query.shape_b);
+  const bool has_followed = query.wants_least && may_be_apart_ &&
+                            FollowDistance(query.shape_a, query.shape_b, query.settings, warm_start_, query.result);
+  query.has_growth_distance = !has_followed;
+  if (!has_followed) query.result = SolvePair(query.shape_a, query.shape_b, query.settings, warm_start_);
+  may_be_apart_ = has_followed || query.result.status == dgd::Status::kSeparated || query.result.separation > 0;
+}
+
+bool ConvexConvexAlgorithm::AnswerByLastNormal(Query& query) {
+  if (face_holder_ != dgd::FaceHolder::kNone) {
+    return FollowFace(query.shape_a, query.shape_b, query.settings, narrowphase_.options().angular_tolerance,
+                      face_holder_, warm_start_, query.facing, query.result);
+  }
+  if (had_contact_ || !dgd::HasNormal(warm_start_)) return false;
+  const double approach = query.motion.MaxApproach(Vector3(query.shape_a.pose.rotation * warm_start_.normal_1));
+  return StayApart(query.shape_a, query.shape_b, std::max(query.contact_distance, approach), warm_start_, query.result);
+}
+
+dgd::ContactPatch<double> ConvexConvexAlgorithm::FindContactPatch(Query& query) {
+  dgd::Result<double>& result = query.result;
+  if (result.status == dgd::Status::kSeparated) return {};
+  if (!(result.separation <= query.contact_distance)) {
+    if (query.is_by_last_normal) MoveCentersTogether(query.shape_a, query.shape_b);
+    if (!TouchWithinStep(query.shape_a, query.shape_b, result, warm_start_, query.motion)) return {};
+  }
+  if (query.wants_least && query.has_growth_distance) {
+    if (query.is_asked) query.settings.max_iterations *= kPatience;
+    may_be_apart_ = TurnToLeastTranslation(query.shape_a, query.shape_b, query.settings, warm_start_, result);
+  }
+  const Options& options = narrowphase_.options();
+  if (!options.contact_patch) return WitnessOnly(result);
+  if (!query.is_by_last_normal) {
+    FindFacingFaces(query.shape_a, query.shape_b, result, options.angular_tolerance, query.facing);
+    if (query.wants_least && may_be_apart_) face_holder_ = HolderOf(query.facing);
+  }
+  const dgd::PatchSettings<double> settings{
+      .contact_distance = query.contact_distance,
+      .spacing = query.breaking_threshold,
+      .equal_depth = (query.is_asked ? kNoDepth : kEqualDepth) * query.breaking_threshold,
+      .max_points = options.patch_size};
+  return FindPatch(result, query.facing, settings, query.motion);
 }
 
 bool ConvexConvexAlgorithm::StaysAtRest(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,

@@ -52,6 +52,18 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
                                           const btCollisionObjectWrapper* body_1, const btDispatcherInfo& info,
                                           btManifoldResult& output);
 
+  /// What a step asks of the pair, and the answer so far.
+  struct Query;
+
+  /// The pair's normal, and the separation along it: by the last normal where that still tells, else by a search.
+  void FindNormal(Query& query);
+
+  /// Whether a face that held the last contact still does, or a pair without contact stays apart along the last normal.
+  bool AnswerByLastNormal(Query& query);
+
+  /// The contacts along the normal, which turns to that of least translation where there are any and that is wanted.
+  dgd::ContactPatch<double> FindContactPatch(Query& query);
+
   /// If neither body has moved since the contacts were found, and nothing else that they come from has changed: brings
   /// them up to date, and true.
   bool StaysAtRest(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
