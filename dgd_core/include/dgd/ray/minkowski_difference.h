@@ -135,8 +135,8 @@ class MinkowskiDifference {
 
   /// The point of two features that is farthest along the unit vector `normal`, and its derivative; both of C, radii
   /// included. Not inlined: it is long, and there are many pairs of types.
-  [[gnu::noinline]] CurvedDifferencePoint<S, L> FromFeatures(FeatureId feature_1, FeatureId feature_2,
-                                                             const Point& normal) const requires kIsSmooth {
+  [[gnu::noinline, gnu::flatten]] CurvedDifferencePoint<S, L> FromFeatures(
+      FeatureId feature_1, FeatureId feature_2, const Point& normal) const requires kIsSmooth {
     const CurvedPoint<S, L> curved_1 = OfFeature(set_1_.core, feature_1, to_frame_1_.transpose() * normal);
     const CurvedPoint<S, L> curved_2 = OfFeature(set_2_.core, feature_2, to_frame_2_.transpose() * -normal);
     CurvedDifferencePoint<S, L> curved;
@@ -153,7 +153,7 @@ class MinkowskiDifference {
   /// The point of two features that is farthest along a unit vector, radii left out that are kept apart, and how it
   /// moves with that vector, seen across it.
   /// @param tangents  Rows: the unit vectors across `normal` that the derivative is in.
-  [[gnu::noinline]] CurvedDifferencePoint<S, L> AlongTangents(
+  [[gnu::noinline, gnu::flatten]] CurvedDifferencePoint<S, L> AlongTangents(
       FeatureId feature_1, FeatureId feature_2, const Point& normal,
       const Eigen::Matrix<S, L - 1, L>& tangents) const requires kIsSmooth {
     const Eigen::Matrix<S, L - 1, L> across_1 = tangents * to_frame_1_, across_2 = tangents * to_frame_2_;

@@ -201,6 +201,10 @@ class RayIntersection {
   void RaiseInner() {
     known_.Remember(support_);
     hint_ = support_;
+    // A point that is not above the feature is most often in its basis already: to insert it is long, and for nothing.
+    if constexpr (Difference::kIsSmooth) {
+      if (!inner_.IsAbove(support_.point, 0)) return;
+    }
     if (!inner_.Insert(support_, outer_.Height()) || !settings_.known_points) return;
     for (int i = 0; i < kMaxCombinations; ++i) {
       hint_ = known_.Farthest(inner_.Direction());
