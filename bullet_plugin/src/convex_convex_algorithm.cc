@@ -216,6 +216,7 @@ dgd::ContactPatch<double> ConvexConvexAlgorithm::FindContactPatch(Query& query) 
   dgd::Result<double>& result = query.result;
   if (result.status == dgd::Status::kSeparated) return {};
   if (!(result.separation <= query.contact_distance)) {
+    // As FindNormal() does before it asks for a growth distance, which the sweep's planes come from.
     if (query.is_by_last_normal) MoveCentersTogether(query.shape_a, query.shape_b);
     if (!TouchWithinStep(query.shape_a, query.shape_b, result, warm_start_, query.motion)) return {};
   }

@@ -250,7 +250,7 @@ void BuildRubble(BenchWorld& world) {
   constexpr double kMargin = 0.01;
   const btVector3 half = Vec(3, 0.5, 2);
   const double volume = 8 * double(half.x() * half.y() * half.z());
-  world.AddGround(50);
+  world.AddGround(200);  // The ball rolls far.
   Random random(11);
   std::vector<btVector3> sites;
   for (int i = 0; i < kCells; ++i) {

@@ -216,11 +216,8 @@ void Patch(benchmark::State& state) {
   const auto is_approaching = [](const Vector3d&, double) { return false; };
   for (auto _ : state) {
     const Pair::Input& in = pair.Next();
-    dgd::FacingFaces<double> facing;
-    facing.frame = in.frame;
-    dgd::FindFace(pair.set_1(), in.pose_1, in.result.normal, in.frame, facing.face_1);
-    dgd::FindFace(pair.set_2(), in.pose_2, -in.result.normal, in.frame, facing.face_2);
-    facing.FindOverlap(kAngularTolerance);
+    const auto facing =
+        dgd::FindFacingFaces(pair.set_1(), in.pose_1, pair.set_2(), in.pose_2, in.result, kAngularTolerance);
     benchmark::DoNotOptimize(dgd::FindContactPatch(in.result, facing, settings, is_approaching));
   }
 }

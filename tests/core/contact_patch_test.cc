@@ -32,11 +32,7 @@ dgd::ContactPatch<double> PatchOf(const Set1& set_1, const dgd::Pose<double>& po
                                   const dgd::Pose<double>& pose_2, IsApproaching is_approaching = Never) {
   const dgd::Result<double> result = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2);
   EXPECT_EQ(result.status, dgd::Status::kOptimal);
-  dgd::FacingFaces<double> facing;
-  facing.frame = dgd::PatchFrame<double>(result);
-  dgd::FindFace(set_1, pose_1, result.normal, facing.frame, facing.face_1);
-  dgd::FindFace(set_2, pose_2, Vector3d(-result.normal), facing.frame, facing.face_2);
-  facing.FindOverlap(kAngularTolerance);
+  const auto facing = dgd::FindFacingFaces(set_1, pose_1, set_2, pose_2, result, kAngularTolerance);
   return dgd::FindContactPatch(
       result, facing, {.contact_distance = kContactDistance, .spacing = 0.01, .equal_depth = 1e-5}, is_approaching);
 }

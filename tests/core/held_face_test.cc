@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -47,13 +48,9 @@ Anew<typename Set1::Scalar> MeasureAnew(const Set1& set_1, const dgd::PoseOf<Set
   growth.normal = anew.result.normal;
   growth.witness_1 = anew.result.witness_1;
   growth.witness_2 = anew.result.witness_2;
-  dgd::FacingFaces<S> facing;
-  facing.Clear();
-  facing.frame = dgd::PatchFrame<S>(growth);
-  dgd::FindFace(set_1, pose_1, growth.normal, facing.frame, facing.face_1);
-  dgd::FindFace(set_2, pose_2, dgd::Vector3<S>(-growth.normal), facing.frame, facing.face_2);
-  facing.FindOverlap(S(kAngularTolerance));
-  if (anew.result.status == Status::kOptimal) anew.holder = dgd::HolderOf(facing);
+  if (anew.result.status == Status::kOptimal) {
+    anew.holder = dgd::HolderOf(dgd::FindFacingFaces(set_1, pose_1, set_2, pose_2, growth, S(kAngularTolerance)));
+  }
   return anew;
 }
 
@@ -63,13 +60,14 @@ void Shake(Random& random, const Set1& set_1, const Set2& set_2, Count& count) {
   using S = typename Set1::Scalar;
   constexpr int kFrames = 20;
   constexpr double kLimit = 0.05;  // m
-  const double tolerance = sizeof(S) == sizeof(float) ? 1e-5 : 3e-8;
+  constexpr bool kIsPolytope = dgd::MinkowskiDifference<Set1, Set2>::kIsPolytope;
+  const double tolerance = sizeof(S) == sizeof(float) ? 2e-5 : kIsPolytope ? 1e-13 : 3e-8;
   const auto rounded = [](const dgd::Pose<double>& pose) -> dgd::Pose<S> {
     return {pose.rotation.cast<S>(), pose.translation.cast<S>()};
   };
   dgd::Settings<S> settings;
   settings.separation_limit = S(kLimit);
-  settings.relative_tolerance = S(tolerance);
+  settings.relative_tolerance = S(std::max(1e-8, 0.5 * tolerance));
   const double radius = double(set_1.radius + set_2.radius);
   dgd::Pose<double> pose_1{random.Rotation(), random.InCube()}, pose_2{random.Rotation(), pose_1.translation};
   const Vector3d up = random.UnitVector();

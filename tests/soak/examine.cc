@@ -85,9 +85,10 @@ class Examination {
     return result;
   }
 
-  /// The lower bound never falls, the upper one never rises, and they do not cross, but for rounding, which planes that
-  /// the ray meets at a slant magnify. False for NaN, too.
+  /// The lower bound never falls, the upper one never rises, and they do not cross, but for rounding. False for NaN,
+  /// too.
   static bool IsMonotone(const dgd::Iterate<S, L>& last, const dgd::Iterate<S, L>& next) {
+    // Planes that the ray meets at a slant magnify it: at a sine of 0.06, 6.5 last digits were seen.
     constexpr S kSlack = 1 + 32 * dgd::kEpsilon<S>;
     return last.lower_bound <= next.lower_bound * kSlack && next.upper_bound <= last.upper_bound * kSlack &&
            next.lower_bound <= next.upper_bound * kSlack;

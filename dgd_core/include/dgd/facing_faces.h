@@ -1,5 +1,4 @@
-// What two posed sets show each other along a normal: their supporting faces, and the overlap of these as seen along
-// it.
+// What two posed sets show each other along a normal: their supporting faces, and the overlap of these.
 //
 // Seen along the normal, supporting faces are convex polygons, segments or points, and their heights are affine: over
 // each corner of the overlap the distance of the two surfaces is exact. So that is where contact points are chosen from
@@ -231,7 +230,7 @@ struct FacingFaces {
     overlap.size = 0;
   }
 
-  /// Finds the overlap of the two faces, once both are there.
+  /// Finds the overlap of the two faces, once both are there. Not inlined: it is long, and the same for all sets.
   /// @param angular_tolerance  Faces turned away from the normal by more than this count as edges, radians, in
   ///                           (0, pi / 2): seen from aside, their heights lose their digits.
   [[gnu::flatten, gnu::noinline]] void FindOverlap(S angular_tolerance) {
@@ -263,5 +262,22 @@ struct FacingFaces {
   CornerList<S> overlap;                          ///< Nothing of segments that cross, and of what is beside each other.
   bool is_across_1 = false, is_across_2 = false;  ///< Whether a face is a polygon across the normal, within rounding.
 };
+
+/// What two sets show each other along a result's normal, as FindContactPatch() takes it.
+/// @param result             Its normal and witness points count; world, metres.
+/// @param angular_tolerance  Of FindOverlap().
+template <class Set1, class Set2>
+FacingFaces<typename Set1::Scalar> FindFacingFaces(const Set1& set_1, const Pose<typename Set1::Scalar>& pose_1,
+                                                   const Set2& set_2, const Pose<typename Set1::Scalar>& pose_2,
+                                                   const Result<typename Set1::Scalar>& result,
+                                                   typename Set1::Scalar angular_tolerance) {
+  using S = typename Set1::Scalar;
+  FacingFaces<S> facing;
+  facing.frame = PatchFrame<S>(result);
+  FindFace(set_1, pose_1, result.normal, facing.frame, facing.face_1);
+  FindFace(set_2, pose_2, Vector3<S>(-result.normal), facing.frame, facing.face_2);
+  facing.FindOverlap(angular_tolerance);
+  return facing;
+}
 
 }  // namespace dgd

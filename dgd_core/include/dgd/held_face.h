@@ -33,7 +33,8 @@ FaceHolder HolderOf(const FacingFaces<S>& facing) {
   return facing.is_across_1 ? FaceHolder::kSet1 : facing.is_across_2 ? FaceHolder::kSet2 : FaceHolder::kNone;
 }
 
-/// The area vector of a face that is turned by a matrix. Of its cofactors: rotations in float are not quite orthogonal.
+/// The area vector of a face, twice the area long, that is turned by a matrix; square metres. Of its cofactors:
+/// rotations in float are not quite orthogonal.
 template <class S>
 Vector3<S> TurnedArea(const Matrix3<S>& rotation, const SupportingFace<S>& face) {
   const auto x = rotation.col(0), y = rotation.col(1), z = rotation.col(2);
@@ -42,7 +43,8 @@ Vector3<S> TurnedArea(const Matrix3<S>& rotation, const SupportingFace<S>& face)
 }
 
 /// The signed distance from the face that held the contact last, if it still does.
-/// @param settings           relative_tolerance is of the sets' inradii; separation_limit as FollowDistance() has it.
+/// @param settings           relative_tolerance is of the sets' inradii, for curved cores: polytopes end at rounding
+///                           error. separation_limit as FollowDistance() has it.
 /// @param angular_tolerance  Of FacingFaces::FindOverlap().
 /// @param holder             HolderOf() the last contact, not kNone.
 /// @param state              In and out, as FollowDistance() has it: its normal tells which face. Left as it was if the
@@ -78,11 +80,18 @@ template <class Set1, class Set2>
   normal *= std::copysign(1 / normal.norm(), normal.dot(last));
 
   const Vector normal_1 = pose_1.rotation.transpose() * normal, normal_2 = pose_2.rotation.transpose() * -normal;
+  const Vector support_1 = set_1.core.Support(normal_1).point, support_2 = set_2.core.Support(normal_2).point;
+  const Vector between = pose_2.translation - pose_1.translation;
   const S radius = set_1.radius + set_2.radius;
-  const S separation = normal.dot(pose_2.translation - pose_1.translation) -
-                       normal_1.dot(set_1.core.Support(normal_1).point) -
-                       normal_2.dot(set_2.core.Support(normal_2).point) - radius;
-  const S tolerance = settings.relative_tolerance * (set_1.core.Inradius() + set_2.core.Inradius() + radius);
+  const S separation = normal.dot(between) - normal_1.dot(support_1) - normal_2.dot(support_2) - radius;
+  // What is left of points that were turned and moved twice.
+  constexpr S kUnits = 16;
+  const S rounding = kUnits * kEpsilon<S> *
+                     std::max({support_1.cwiseAbs().maxCoeff(), support_2.cwiseAbs().maxCoeff(), between.norm()});
+  const S inradii = set_1.core.Inradius() + set_2.core.Inradius() + radius;
+  const S tolerance = MinkowskiDifference<Set1, Set2>::kIsPolytope
+                          ? rounding
+                          : std::max(rounding, settings.relative_tolerance * inradii);
   if (!(separation + radius > tolerance && std::isfinite(separation))) return result;  // Also for NaN.
 
   const bool is_separated = separation > settings.separation_limit;

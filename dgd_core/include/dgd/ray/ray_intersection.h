@@ -208,7 +208,7 @@ class RayIntersection {
     if (!inner_.Insert(support_, outer_.Height()) || !settings_.known_points) return;
     for (int i = 0; i < kMaxCombinations; ++i) {
       hint_ = known_.Farthest(inner_.Direction());
-      if (!inner_.IsAbove(hint_.point, kWorthwhile * (outer_.Height() - inner_.Height()))) break;
+      if (!inner_.IsWorthwhile(hint_.point, outer_.Height())) break;
       if (!inner_.Insert(hint_, outer_.Height())) break;
     }
   }
@@ -302,9 +302,6 @@ class RayIntersection {
   static constexpr S kSlow = S(0.5);
   /// Slow steps are nothing unusual in so many directions; most queries end within them.
   static constexpr int kPatience = 6;
-  /// What a known point must add of the gap to be worth the insertion: with a tenth, moving meshes take a tenth more
-  /// directions.
-  static constexpr S kWorthwhile = S(0.01);
   /// Known points after one direction: with one at most, meshes take 5 % more directions, with two 1 %.
   static constexpr int kMaxCombinations = 4;
 

@@ -49,8 +49,6 @@ class SecondOrderSearch {
   static constexpr int kMaxFailures = 3;
   /// Bounds what a query spends on faces that the ray does not leave through.
   static constexpr int kMaxFaceTries = 3;
-  /// What a piece's point must add of the gap to be worth the insertion, most often of one that is there already.
-  static constexpr S kWorthwhile = S(0.01);
   /// How far below the inner approximation a model's minimum may lie, as a part of the gap.
   static constexpr S kUndershoot = S(0.1);
 
@@ -96,9 +94,7 @@ class SecondOrderSearch {
     if (!step.Solve()) return false;
     for (int i = 0; i < count_; ++i) {
       const Feature& piece = pieces_[static_cast<std::size_t>(i)];
-      if (step.IsActive(i) && inner.IsAbove(piece.point, kWorthwhile * (outer_height - inner.Height()))) {
-        inner.Insert(piece, outer_height);
-      }
+      if (step.IsActive(i) && inner.IsWorthwhile(piece.point, outer_height)) inner.Insert(piece, outer_height);
     }
     const S undershoot = kUndershoot * std::min(inner.Height(), outer_height - inner.Height());
     if (!(step.Height() >= inner.Height() - undershoot)) return false;

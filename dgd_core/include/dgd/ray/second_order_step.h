@@ -56,7 +56,7 @@ class SecondOrderStep {
   }
 
   /// Finds the step; false if there is none. Few pieces have few subsets: the minimum is where one of them is active.
-  [[gnu::flatten]] bool Solve() {
+  bool Solve() {
     for (unsigned subset = 1; subset < 1U << size_; ++subset) {
       if (std::popcount(subset) <= L && IsMinimum(subset)) {
         active_ = subset;
