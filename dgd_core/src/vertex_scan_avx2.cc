@@ -22,13 +22,16 @@ struct Doubles {
   static Vector Greater(Vector a, Vector b) { return _mm256_max_pd(a, b); }
   static Vector IsAbove(Vector a, Vector b) { return _mm256_cmp_pd(a, b, _CMP_GT_OQ); }
   static Vector Choose(Vector no, Vector yes, Vector mask) { return _mm256_blendv_pd(no, yes, mask); }
-  static unsigned LanesEqual(Vector a, Vector b) {
-    return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_EQ_OQ)));
-  }
+  static Vector IsEqual(Vector a, Vector b) { return _mm256_cmp_pd(a, b, _CMP_EQ_OQ); }
+  static Vector Less(Vector a, Vector b) { return _mm256_min_pd(a, b); }
   // The greatest lane in all lanes.
   static Vector Top(Vector a) {
     a = _mm256_max_pd(a, _mm256_permute2f128_pd(a, a, 1));  // Halves change places.
     return _mm256_max_pd(a, _mm256_permute_pd(a, 0b0101));  // Neighbours change places.
+  }
+  static double Least(Vector a) {
+    const __m128d half = _mm_min_pd(_mm256_castpd256_pd128(a), _mm256_extractf128_pd(a, 1));
+    return _mm_cvtsd_f64(_mm_min_sd(half, _mm_unpackhi_pd(half, half)));
   }
 };
 
@@ -46,13 +49,17 @@ struct Floats {
   static Vector Greater(Vector a, Vector b) { return _mm256_max_ps(a, b); }
   static Vector IsAbove(Vector a, Vector b) { return _mm256_cmp_ps(a, b, _CMP_GT_OQ); }
   static Vector Choose(Vector no, Vector yes, Vector mask) { return _mm256_blendv_ps(no, yes, mask); }
-  static unsigned LanesEqual(Vector a, Vector b) {
-    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_EQ_OQ)));
-  }
+  static Vector IsEqual(Vector a, Vector b) { return _mm256_cmp_ps(a, b, _CMP_EQ_OQ); }
+  static Vector Less(Vector a, Vector b) { return _mm256_min_ps(a, b); }
   static Vector Top(Vector a) {
     a = _mm256_max_ps(a, _mm256_permute2f128_ps(a, a, 1));         // Halves change places,
     a = _mm256_max_ps(a, _mm256_permute_ps(a, 0b01'00'11'10));     // pairs,
     return _mm256_max_ps(a, _mm256_permute_ps(a, 0b10'11'00'01));  // then neighbours.
+  }
+  static float Least(Vector a) {
+    __m128 least = _mm_min_ps(_mm256_castps256_ps128(a), _mm256_extractf128_ps(a, 1));
+    least = _mm_min_ps(least, _mm_movehl_ps(least, least));
+    return _mm_cvtss_f32(_mm_min_ss(least, _mm_movehdup_ps(least)));
   }
 };
 
@@ -81,17 +88,12 @@ std::uint32_t FarthestOf(const typename V::Scalar* coordinates, std::size_t padd
     block = V::Add(block, next);
   }
 
-  const Vector top = V::Top(V::Greater(even, odd));
-  const unsigned at_top = V::LanesEqual(even, top) | V::LanesEqual(odd, top) << kLanes;
-  S places[2 * kLanes];
-  V::Store(places, V::Add(even_block, V::CountUp()));
-  V::Store(places + kLanes, V::Add(odd_block, V::Add(V::CountUp(), V::Broadcast(kLanes))));
-  S first = places[__builtin_ctz(at_top)];
-  // Several points as high: copies in the padding, or a face that the direction is normal to.
-  for (unsigned rest = at_top & (at_top - 1); rest != 0; rest &= rest - 1) {
-    const S place = places[__builtin_ctz(rest)];
-    if (place < first) first = place;
-  }
+  // The first of several points as high: copies in the padding, or a face that the direction is normal to.
+  const Vector top = V::Top(V::Greater(even, odd)), none = V::Broadcast(__builtin_huge_val());
+  const Vector even_place = V::Choose(none, V::Add(even_block, V::CountUp()), V::IsEqual(even, top));
+  const Vector odd_place =
+      V::Choose(none, V::Add(odd_block, V::Add(V::CountUp(), V::Broadcast(kLanes))), V::IsEqual(odd, top));
+  const S first = V::Least(V::Less(even_place, odd_place));
   return static_cast<std::uint32_t>(first);
 }
 
