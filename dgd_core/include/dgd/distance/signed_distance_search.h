@@ -151,7 +151,8 @@ class SignedDistanceSearch {
   /// Not inlined: it is called from many places.
   [[gnu::noinline]] Feature Cut(const Point& normal) {
     ++iterations_;
-    const Feature support = Shifted(difference_.Support(normal, normal, best_.support));
+    const Feature support =
+        Shifted(difference_.Support(normal, normal, best_.support.feature_1, best_.support.feature_2));
     const S height = normal.dot(support.point);
     if (height < best_.height) {
       best_ = {normal, height, support, true};

@@ -107,19 +107,22 @@ class MinkowskiDifference {
   S Length() const { return length_; }
   /// Radius of a ball about the origin inside C, metres (eq. inradius). 0 if C has no certain interior.
   S Inradius() const { return inradius_; }
-  /// Part of the inradius that set 1 contributes; in [0, 1]. Valid for Inradius() > 0.
-  S InradiusShare1() const { return (set_1_.core.Inradius() + set_1_.radius) / inradius_; }
+  /// As Inradius(), of the difference that the support points are of: without the ball that is kept apart.
+  S InradiusOfPoints() const { return InradiusOfPoints1() + set_2_.core.Inradius() + inflation_2_; }
+  /// The part of InradiusOfPoints() that set 1 contributes.
+  S InradiusOfPoints1() const { return set_1_.core.Inradius() + inflation_1_; }
   /// Radius of the ball that is kept apart from the support points, metres; 0 if they include it.
   S Rounding() const { return rounding_; }
 
   /// The point of the cores' difference farthest along the unit vector `normal` (ray frame): eq. (5) of the paper.
   /// @param direction  The normal's, of any length.
-  /// @param hint       Features of a point that is likely to be near, for cores that make use of one; any will do.
-  DifferencePoint<S, L> Support(const Point& direction, const Point& normal,
-                                const DifferencePoint<S, L>& hint = {}) const {
-    return Difference(
-        CoreSupport<typename Set1::Core>(set_1_.core, to_frame_1_.transpose() * direction, hint.feature_1),
-        CoreSupport<typename Set2::Core>(set_2_.core, to_frame_2_.transpose() * -direction, hint.feature_2), normal);
+  /// @param hint_1     Feature of a point of set 1 that is likely to be near, for cores that make use of one; any
+  ///                   will do.
+  DifferencePoint<S, L> Support(const Point& direction, const Point& normal, FeatureId hint_1 = kNoFeature,
+                                FeatureId hint_2 = kNoFeature) const {
+    return Difference(CoreSupport<typename Set1::Core>(set_1_.core, to_frame_1_.transpose() * direction, hint_1),
+                      CoreSupport<typename Set2::Core>(set_2_.core, to_frame_2_.transpose() * -direction, hint_2),
+                      normal);
   }
 
   /// Whether both cores have these features; they may have changed since a previous query named them.

@@ -32,7 +32,7 @@ class RayIntersection {
 
   RayIntersection(const Set1& set_1, const Pose<S, L>& pose_1, const Set2& set_2, const Pose<S, L>& pose_2,
                   const Settings<S>& settings)
-      : difference_(set_1, pose_1, set_2, pose_2, settings.rounding), settings_(settings) {}
+      : difference_(set_1, pose_1, set_2, pose_2, settings.rounding), settings_(settings), inner_(Start()) {}
 
   /// @param observer  Called with an Iterate after each iteration.
   template <class Observer>
@@ -88,7 +88,6 @@ class RayIntersection {
 
   template <class Observer>
   [[gnu::flatten]] Status Improve(Question question, const WarmStart<S, L>* warm_start, Observer& observer) {
-    InitializeInner();
     Point normal = warm_start != nullptr ? AdoptLastState(*warm_start) : inner_.Normal(), direction = normal;
     for (;;) {
       if (!(normal[L - 1] > 0)) return Status::kStalled;  // Also for NaN.
@@ -151,7 +150,7 @@ class RayIntersection {
     if (has_restarted_) return false;
     has_restarted_ = true;
     reached_ = inner_;
-    InitializeInner();
+    inner_ = Start();
     return true;
   }
 
@@ -167,18 +166,20 @@ class RayIntersection {
     inner_.MoveToExit();
   }
 
-  /// Alg. 1: the difference of the centres if there is a ball about it, else a facet in the inradius.
-  void InitializeInner() {
-    inner_ = difference_.Rounding() > 0
-                 ? InnerApproximation<S, L>::FromCenter(difference_.Rounding())
-                 : InnerApproximation<S, L>::FromInradius(difference_.Inradius(), difference_.InradiusShare1());
+  /// Alg. 1: a facet in the ball inside the support points, or the difference of the centres if that is thin.
+  InnerApproximation<S, L> Start() const {
+    const S rounding = difference_.Rounding(), inradius = difference_.InradiusOfPoints();
+    return inradius > kThin * rounding
+               ? InnerApproximation<S, L>::FromInradius(inradius, difference_.InradiusOfPoints1() / inradius, rounding)
+               : InnerApproximation<S, L>::FromCenter(rounding);
   }
 
   /// Alg. 2, lines 1 and 2: support point and outer update.
   /// @param direction  The normal's, of any length.
   void CutAlong(const Point& normal, const Point& direction) {
     ++iterations_;
-    support_ = difference_.Support(direction, normal, hint_);
+    support_ = difference_.Support(direction, normal, hint_1_, hint_2_);
+    hint_1_ = hint_2_ = kNoFeature;
     outer_.Cut(normal, normal.dot(support_.point) + difference_.Rounding(), support_);
   }
 
@@ -200,16 +201,15 @@ class RayIntersection {
   /// Alg. 2, line 3: with the support point, and then with what it makes of what is known of each set.
   void RaiseInner() {
     known_.Remember(support_);
-    hint_ = support_;
     // A point that is not above the feature is most often in its basis already: to insert it is long, and for nothing.
     if constexpr (Difference::kIsSmooth) {
       if (!inner_.IsAbove(support_.point, 0)) return;
     }
     if (!inner_.Insert(support_, outer_.Height()) || !settings_.known_points) return;
     for (int i = 0; i < kMaxCombinations; ++i) {
-      hint_ = known_.Farthest(inner_.Direction());
-      if (!inner_.IsWorthwhile(hint_.point, outer_.Height())) break;
-      if (!inner_.Insert(hint_, outer_.Height())) break;
+      const Feature combined = known_.Farthest(inner_.Direction());
+      if (!inner_.IsWorthwhile(combined.point, outer_.Height())) break;
+      if (!inner_.Insert(combined, outer_.Height())) break;
     }
   }
 
@@ -221,8 +221,8 @@ class RayIntersection {
   /// normal.
   /// @return the first direction to search.
   Point AdoptLastState(const WarmStart<S, L>& warm_start) {
-    hint_.feature_1 = warm_start.features_1[0];
-    hint_.feature_2 = warm_start.features_2[0];
+    hint_1_ = warm_start.features_1[0];
+    hint_2_ = warm_start.features_2[0];
     if constexpr (Difference::kIsPolytope) {
       std::array<Feature, L> basis;
       int size = 0;
@@ -298,6 +298,8 @@ class RayIntersection {
   /// Not a status that a query ends with: the bounds have not decided yet.
   static constexpr Status kGoOn = Status::kInvalidInput;
 
+  /// Cores with less inradius than this part of their radii begin at a point: segments and points have none.
+  static constexpr S kThin = S(0.1);
   /// A step that leaves more of the gap is slow.
   static constexpr S kSlow = S(0.5);
   /// Slow steps are nothing unusual in so many directions; most queries end within them.
@@ -311,8 +313,8 @@ class RayIntersection {
   InnerApproximation<S, L> reached_;  // Before a restart.
   OuterApproximation<S, L> outer_;
   KnownPoints<S, L> known_;
-  Feature support_;  // Of the last direction.
-  Feature hint_;     // Of the next one: what is known to be farthest along it.
+  Feature support_;                                      // Of the last direction.
+  FeatureId hint_1_ = kNoFeature, hint_2_ = kNoFeature;  // For the first one, from the last query.
   int iterations_ = 0;
   bool coincident_ = false;
   bool has_restarted_ = false;
