@@ -13,6 +13,7 @@
 #include "contact_drawer.h"
 #include "friction_anchors.h"
 #include "manifold_writer.h"
+#include "pair_apart.h"
 #include "pair_distance.h"
 #include "pair_impact.h"
 #include "pair_motion.h"
@@ -20,6 +21,7 @@
 #include "pair_patch.h"
 #include "pair_solver.h"
 #include "resting_pair.h"
+#include "shape_adapter.h"
 #include "shape_sweep.h"
 
 namespace dgd_bullet {
@@ -102,6 +104,7 @@ void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* bod
   output->setPersistentManifold(manifold_);
   if (StaysAtRest(*body_0, *body_1, info, *output)) return;
   is_resting_ = false;
+  if (StaysApart(*body_0, *body_1, info, *output)) return;
   if (const std::optional<dgd::Status> failure = FindContacts(body_0, body_1, info, *output)) {
     narrowphase_.CountFallback(*body_0->getCollisionShape(), *body_1->getCollisionShape(), *failure);
     // Bullet has no answer to what is no shape or no pose either: it reads points that a hull has not, and keeps NaN.
@@ -124,7 +127,16 @@ bool ConvexConvexAlgorithm::HasManifold(const btCollisionObjectWrapper* body_0,
 }
 
 struct ConvexConvexAlgorithm::Query {
-  Query(const PosedShape& a, const PosedShape& b) : shape_a(a), shape_b(b) {}
+  /// @param hull_a, hull_b  The shapes' hulls where they have one, which may be known already.
+  Query(Narrowphase& narrowphase, const btCollisionObjectWrapper& body_a, std::shared_ptr<const CachedHull>& hull_a,
+        const btCollisionObjectWrapper& body_b, std::shared_ptr<const CachedHull>& hull_b)
+      : shape_a(Adapt(narrowphase, body_a, hull_a)), shape_b(Adapt(narrowphase, body_b, hull_b)) {}
+
+  static PosedShape Adapt(Narrowphase& narrowphase, const btCollisionObjectWrapper& body,
+                          std::shared_ptr<const CachedHull>& hull) {
+    return AdaptShape(ShapeOf(&body), body.getWorldTransform(), narrowphase.options().geometry_mode,
+                      narrowphase.hulls(), hull);
+  }
 
   PosedShape shape_a, shape_b;
   PairMotion motion;
@@ -150,15 +162,11 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
   if (is_swapped) std::swap(body_0, body_1);
   const bool is_other_order = std::exchange(was_swapped_, is_swapped) != is_swapped;
   if (is_other_order) std::swap(hull_0_, hull_1_);
-  const auto adapt = [&](const btCollisionObjectWrapper* body, std::shared_ptr<const CachedHull>& hull) {
-    return AdaptShape(ShapeOf(body), body->getWorldTransform(), options.geometry_mode, narrowphase_.hulls(), hull);
-  };
-  Query query(adapt(body_0, hull_0_), adapt(body_1, hull_1_));
+  Query query(narrowphase_, *body_0, hull_0_, *body_1, hull_1_);
   Recall(is_other_order, query.shape_a.pose, query.shape_b.pose);
   query.motion = MotionToMeet(*body_0->getCollisionObject(), *body_1->getCollisionObject(), info);
   query.breaking_threshold = double(manifold_->getContactBreakingThreshold());
-  query.contact_distance = (options.contact_distance > 0 ? options.contact_distance : query.breaking_threshold) +
-                           double(output.m_closestPointDistanceThreshold);
+  query.contact_distance = ContactDistance(output);
   query.is_asked = IsAskedByApp(output);
   query.wants_least = options.normal_mode == NormalMode::kLeastTranslation;
   query.settings.relative_tolerance =
@@ -181,9 +189,7 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
   }
   if (WantsContacts(info.m_debugDraw)) DrawContacts(patch, result, *info.m_debugDraw);
   WriteContacts(patch, result.normal, output);
-  if (options.keep_resting_contacts && query.motion.MaxApproach() <= RestingDistance(query.breaking_threshold)) {
-    RememberRest(*body_0, *body_1);
-  }
+  if (query.motion.IsWithin(RestingDistance(query.breaking_threshold))) RememberRest(*body_0, *body_1);
   return std::nullopt;
 } catch (const std::exception&) {
   // A shape that is not one: NaN or infinite sizes, no points, no memory for its hull.
@@ -191,7 +197,10 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
 }
 
 void ConvexConvexAlgorithm::FindNormal(Query& query) {
-  query.is_by_last_normal = AnswerByLastNormal(query);
+  query.is_by_last_normal =
+      face_holder_ != dgd::FaceHolder::kNone &&
+      FollowFace(query.shape_a, query.shape_b, query.settings, narrowphase_.options().angular_tolerance, face_holder_,
+                 warm_start_, query.facing, query.result);
   if (query.is_by_last_normal) return;
   face_holder_ = dgd::FaceHolder::kNone;
   MoveCentersTogether(query.shape_a, query.shape_b);
@@ -200,16 +209,6 @@ void ConvexConvexAlgorithm::FindNormal(Query& query) {
   query.has_growth_distance = !has_followed;
   if (!has_followed) query.result = SolvePair(query.shape_a, query.shape_b, query.settings, warm_start_);
   may_be_apart_ = has_followed || query.result.status == dgd::Status::kSeparated || query.result.separation > 0;
-}
-
-bool ConvexConvexAlgorithm::AnswerByLastNormal(Query& query) {
-  if (face_holder_ != dgd::FaceHolder::kNone) {
-    return FollowFace(query.shape_a, query.shape_b, query.settings, narrowphase_.options().angular_tolerance,
-                      face_holder_, warm_start_, query.facing, query.result);
-  }
-  if (had_contact_ || !dgd::HasNormal(warm_start_)) return false;
-  const double approach = query.motion.MaxApproach(Vector3(query.shape_a.pose.rotation * warm_start_.normal_1));
-  return StayApart(query.shape_a, query.shape_b, std::max(query.contact_distance, approach), warm_start_, query.result);
 }
 
 dgd::ContactPatch<double> ConvexConvexAlgorithm::FindContactPatch(Query& query) {
@@ -254,13 +253,42 @@ bool ConvexConvexAlgorithm::StaysAtRest(const btCollisionObjectWrapper& body_0, 
   return true;
 }
 
+bool ConvexConvexAlgorithm::StaysApart(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
+                                       const btDispatcherInfo& info, const btManifoldResult& output) {
+  const Options& options = narrowphase_.options();
+  if (had_contact_ || face_holder_ != dgd::FaceHolder::kNone || !dgd::HasNormal(warm_start_) || !options.warm_start ||
+      options.geometry_mode != GeometryMode::kBullet || WantsContacts(info.m_debugDraw)) {
+    return false;
+  }
+  if (owns_manifold_ && manifold_->getNumContacts() > 0) return false;  // Of an answer that was not ours.
+  const bool is_swapped = ComesBefore(body_1, body_0);
+  if (is_swapped != was_swapped_) return false;
+  const btCollisionObjectWrapper &a = is_swapped ? body_1 : body_0, &b = is_swapped ? body_0 : body_1;
+  const PairMotion motion = MotionToMeet(*a.getCollisionObject(), *b.getCollisionObject(), info);
+  const Vector3 normal = FromBullet(a.getWorldTransform(), UpAxis(ShapeOf(&a))).rotation * warm_start_.normal_1;
+  if (!AreApart(a, b, normal, std::max(ContactDistance(output), motion.MaxApproach(normal)))) return false;
+  if (PairCounters* counters = narrowphase_.pair_counters()) {
+    counters->Count(ShapeOf(&a).getShapeType(), ShapeOf(&b).getShapeType(),
+                    {.way = PairOutcome::Way::kSeparated, .iterations = 1});
+  }
+  const double breaking_threshold = double(manifold_->getContactBreakingThreshold());
+  if (motion.IsWithin(RestingDistance(breaking_threshold))) RememberRest(body_0, body_1);
+  return true;
+}
+
+double ConvexConvexAlgorithm::ContactDistance(const btManifoldResult& output) const {
+  const double of_options = narrowphase_.options().contact_distance;
+  return (of_options > 0 ? of_options : double(manifold_->getContactBreakingThreshold())) +
+         double(output.m_closestPointDistanceThreshold);
+}
+
 void ConvexConvexAlgorithm::RememberRest(const btCollisionObjectWrapper& body_0,
                                          const btCollisionObjectWrapper& body_1) {
   const Options& options = narrowphase_.options();
   // Where the options say that contacts come from this step's poses alone, none are kept from an earlier one.
   const double distance = RestingDistance(double(manifold_->getContactBreakingThreshold()));
-  is_resting_ =
-      owns_manifold_ && options.contact_patch && options.warm_start && RestingPair::CanTell(body_0, body_1, distance);
+  is_resting_ = options.keep_resting_contacts && owns_manifold_ && options.contact_patch && options.warm_start &&
+                RestingPair::CanTell(body_0, body_1, distance);
   if (!is_resting_) return;
   const RestingPair resting(body_0, body_1, *manifold_);
   if (resting_ == nullptr) {
@@ -277,7 +305,7 @@ void ConvexConvexAlgorithm::Recall(bool is_other_order, const Pose& pose_a, cons
     face_holder_ = dgd::FaceHolder::kNone;
   } else if (is_other_order) {
     std::swap(warm_start_.features_1, warm_start_.features_2);
-    warm_start_.normal_1 = -pose_a.rotation.transpose() * (pose_b.rotation * warm_start_.normal_1);
+    warm_start_.normal_1 = (-pose_a.rotation.transpose() * (pose_b.rotation * warm_start_.normal_1)).normalized();
     face_holder_ = Swapped(face_holder_);
   }
 }

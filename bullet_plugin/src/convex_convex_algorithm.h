@@ -58,9 +58,6 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   /// The pair's normal, and the separation along it: by the last normal where that still tells, else by a search.
   void FindNormal(Query& query);
 
-  /// Whether a face that held the last contact still does, or a pair without contact stays apart along the last normal.
-  bool AnswerByLastNormal(Query& query);
-
   /// The contacts along the normal, which turns to that of least translation where there are any and that is wanted.
   dgd::ContactPatch<double> FindContactPatch(Query& query);
 
@@ -69,7 +66,14 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   bool StaysAtRest(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
                    const btDispatcherInfo& info, btManifoldResult& output);
 
-  /// Notes what the contacts have been found for.
+  /// Whether a pair without contact is still farther apart along the last normal than it may approach in the step.
+  bool StaysApart(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
+                  const btDispatcherInfo& info, const btManifoldResult& output);
+
+  /// Not farther apart than this, bodies have contacts; metres.
+  double ContactDistance(const btManifoldResult& output) const;
+
+  /// Notes what the contacts have been found for, if the options say that they are kept.
   void RememberRest(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1);
 
   /// Makes the last query's state this one's start: none if the options say so, else in the order that the shapes are

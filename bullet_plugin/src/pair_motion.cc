@@ -6,22 +6,22 @@
 
 namespace dgd_bullet {
 
-double Reach(const btCollisionObject& object) {
+double Reach(const btCollisionObject& object, const Vector3& from) {
   const btBroadphaseProxy* proxy = object.getBroadphaseHandle();
   if (proxy == nullptr) {
-    return double(object.getCollisionShape()->getAngularMotionDisc());
+    return double(object.getCollisionShape()->getAngularMotionDisc()) +
+           (FromBullet(object.getWorldTransform().getOrigin()) - from).norm();
   }
   const Vector3 low = FromBullet(proxy->m_aabbMin), high = FromBullet(proxy->m_aabbMax);
-  const Vector3 center = FromBullet(object.getWorldTransform().getOrigin());
-  return (high - center).cwiseMax(center - low).norm();
+  return (high - from).cwiseMax(from - low).norm();
 }
 
 PairMotion::Twist PairMotion::Read(const btCollisionObject& object) {
   const btRigidBody* body = btRigidBody::upcast(&object);
   if (body == nullptr || body->isStaticObject()) return {};
   // The centre of mass is the origin of the world transform.
-  return {FromBullet(body->getLinearVelocity()), FromBullet(body->getAngularVelocity()),
-          FromBullet(body->getWorldTransform().getOrigin()), Reach(object)};
+  const Vector3 center = FromBullet(body->getWorldTransform().getOrigin());
+  return {FromBullet(body->getLinearVelocity()), FromBullet(body->getAngularVelocity()), center, Reach(object, center)};
 }
 
 dgd::Motion<double> PairMotion::Twist::MotionOf(const Pose& pose, double time) const {

@@ -8,9 +8,9 @@ class btCollisionObject;
 
 namespace dgd_bullet {
 
-/// Distance from a body's centre to the farthest corner of its bounding box: no point of the body is farther. Of a body
-/// that is in no broadphase, Bullet's own bound, which computes a bounding box first.
-double Reach(const btCollisionObject& object);
+/// Distance from a world point, as the body's origin, to the farthest corner of the body's bounding box: no point of
+/// the body is farther. Of a body that is in no broadphase, by Bullet's own bound, which computes a bounding box first.
+double Reach(const btCollisionObject& object, const Vector3& from);
 
 class PairMotion {
  public:
@@ -35,6 +35,11 @@ class PairMotion {
     return time_step_ * ((a_.linear - b_.linear).norm() + a_.angular.norm() * a_.reach + b_.angular.norm() * b_.reach);
   }
 
+  /// Whether no point of either body goes farther than `distance`, metres.
+  bool IsWithin(double distance) const {
+    return time_step_ * a_.Speed() <= distance && time_step_ * b_.Speed() <= distance;
+  }
+
   /// The way of a pose that is fixed to a body over the time step.
   dgd::Motion<double> MotionOfA(const Pose& pose) const { return a_.MotionOf(pose, time_step_); }
   dgd::Motion<double> MotionOfB(const Pose& pose) const { return b_.MotionOf(pose, time_step_); }
@@ -43,6 +48,7 @@ class PairMotion {
   struct Twist {
     Vector3 VelocityAt(const Vector3& point) const { return linear + angular.cross(point - center); }
     dgd::Motion<double> MotionOf(const Pose& pose, double time) const;
+    double Speed() const { return linear.norm() + angular.norm() * reach; }
     /// No point goes faster along `normal` by rotation alone, on average over whatever time: turned by an angle about
     /// an axis, a unit vector's end goes that angle at most times its distance from the axis.
     double RimSpeed(const Vector3& normal) const { return angular.cross(normal).norm() * reach; }

@@ -10,9 +10,4 @@ namespace dgd_bullet {
 dgd::Result<double> SolvePair(const PosedShape& shape_a, const PosedShape& shape_b,
                               const dgd::Settings<double>& settings, dgd::WarmStart<double>& warm_start);
 
-/// Whether the shapes are farther apart than `limit`, metres, along the last normal: most pairs of a broadphase are,
-/// and need not be solved. The result then says so.
-bool StayApart(const PosedShape& shape_a, const PosedShape& shape_b, double limit,
-               const dgd::WarmStart<double>& warm_start, dgd::Result<double>& result);
-
 }  // namespace dgd_bullet

@@ -2,14 +2,13 @@
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
-#include <BulletCollision/CollisionShapes/btCapsuleShape.h>
 #include <BulletCollision/CollisionShapes/btConeShape.h>
 #include <BulletCollision/CollisionShapes/btConvexInternalShape.h>
-#include <BulletCollision/CollisionShapes/btCylinderShape.h>
 
 #include <limits>
 
 #include "pair_motion.h"
+#include "shape_adapter.h"
 #include "shape_points.h"
 
 namespace dgd_bullet {
@@ -29,20 +28,6 @@ btVector3 SizeOf(const btConvexShape& shape, int type) {
       return static_cast<const btConvexInternalShape&>(shape).getImplicitShapeDimensions();
     default:
       return {0, 0, 0};
-  }
-}
-
-/// Of shapes that have one: another of the same size may have taken the address.
-int AxisOf(const btConvexShape& shape, int type) {
-  switch (type) {
-    case CONE_SHAPE_PROXYTYPE:
-      return static_cast<const btConeShape&>(shape).getConeUpIndex();
-    case CAPSULE_SHAPE_PROXYTYPE:
-      return static_cast<const btCapsuleShape&>(shape).getUpAxis();
-    case CYLINDER_SHAPE_PROXYTYPE:
-      return static_cast<const btCylinderShape&>(shape).getUpAxis();
-    default:
-      return 0;
   }
 }
 
@@ -103,7 +88,7 @@ bool RestingPair::IsAsItWas(const btCollisionObjectWrapper& body_0, const btColl
 RestingPair::Side RestingPair::SideOf(const btCollisionObjectWrapper& body) {
   const auto& shape = static_cast<const btConvexShape&>(*body.getCollisionShape());
   const int type = shape.getShapeType();
-  return {&shape, type, AxisOf(shape, type), SizeOf(shape, type), shape.getMargin(), body.getWorldTransform()};
+  return {&shape, type, UpAxis(shape), SizeOf(shape, type), shape.getMargin(), body.getWorldTransform()};
 }
 
 bool RestingPair::IsSame(const Side& then, const btCollisionObjectWrapper& body, const Hull& hull, btScalar distance) {
@@ -111,11 +96,12 @@ bool RestingPair::IsSame(const Side& then, const btCollisionObjectWrapper& body,
   if (shape != then.shape) return false;
   // False also where a pose is not finite.
   const btTransform& pose = body.getWorldTransform();
-  if (!(Way(then.pose, pose, btScalar(Reach(*body.getCollisionObject()))) <= distance)) return false;
+  const double reach = Reach(*body.getCollisionObject(), FromBullet(pose.getOrigin()));
+  if (!(Way(then.pose, pose, btScalar(reach)) <= distance)) return false;
   const int type = shape->getShapeType();
   if (type != then.type || shape->getMargin() != then.margin) return false;
   if (IsHullOfPoints(type)) return hull != nullptr && hull->Matches(*shape);
-  return AxisOf(*shape, type) == then.axis && SizeOf(*shape, type) == then.size;
+  return UpAxis(*shape) == then.axis && SizeOf(*shape, type) == then.size;
 }
 
 void KeepContacts(btPersistentManifold& manifold, btManifoldResult& output) {

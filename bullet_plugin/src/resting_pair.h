@@ -47,7 +47,7 @@ class RestingPair {
   struct Side {
     const btConvexShape* shape;
     int type;
-    int axis;
+    int axis;  // Another shape of the same size may have taken the address.
     btVector3 size;
     btScalar margin;
     btTransform pose;

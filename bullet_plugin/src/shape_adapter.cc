@@ -14,18 +14,28 @@
 namespace dgd_bullet {
 namespace {
 
-/// Bullet's up axis of shapes that have none: keeps their frame as it is.
-constexpr int kZ = 2;
-
 /// A margin set larger than a box or cylinder leaves a negative core, which is no set: its extent counts as zero.
 /// NaN stays NaN, and is refused by the set.
 double Extent(btScalar half_extent) { return half_extent < 0 ? 0.0 : double(half_extent); }
 
 }  // namespace
 
+int UpAxis(const btConvexShape& shape) {
+  switch (shape.getShapeType()) {
+    case CAPSULE_SHAPE_PROXYTYPE:
+      return static_cast<const btCapsuleShape&>(shape).getUpAxis();
+    case CYLINDER_SHAPE_PROXYTYPE:
+      return static_cast<const btCylinderShape&>(shape).getUpAxis();
+    case CONE_SHAPE_PROXYTYPE:
+      return static_cast<const btConeShape&>(shape).getConeUpIndex();
+    default:
+      return 2;
+  }
+}
+
 PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, GeometryMode geometry, HullCache& cache,
                       std::shared_ptr<const CachedHull>& hull) {
-  const int type = shape.getShapeType();
+  const int type = shape.getShapeType(), up = UpAxis(shape);
   const double margin = dgd::RequireLength(double(shape.getMargin()), true, "collision margin");
   // Of what has a margin besides its core.
   const bool is_sharp = geometry == GeometryMode::kSharp;
@@ -33,28 +43,27 @@ PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, 
   switch (type) {
     case SPHERE_SHAPE_PROXYTYPE:
       // Its margin is its radius.
-      return {dgd::RoundedSet{dgd::Point<double>(), margin}, FromBullet(transform, kZ)};
+      return {dgd::RoundedSet{dgd::Point<double>(), margin}, FromBullet(transform, up)};
     case CAPSULE_SHAPE_PROXYTYPE: {
       const auto& capsule = static_cast<const btCapsuleShape&>(shape);
       return {dgd::RoundedSet{dgd::Segment<double>(Extent(capsule.getHalfHeight())), margin},
-              FromBullet(transform, capsule.getUpAxis())};
+              FromBullet(transform, up)};
     }
     case TRIANGLE_SHAPE_PROXYTYPE: {
       const btVector3* corners = static_cast<const btTriangleShape&>(shape).m_vertices1;
       return {
           dgd::RoundedSet{dgd::Triangle<double>(FromBullet(corners[0]), FromBullet(corners[1]), FromBullet(corners[2])),
                           radius},
-          FromBullet(transform, kZ)};
+          FromBullet(transform, up)};
     }
     case BOX_SHAPE_PROXYTYPE: {
       const auto& box = static_cast<const btBoxShape&>(shape);
       const btVector3 half = is_sharp ? box.getHalfExtentsWithMargin() : box.getHalfExtentsWithoutMargin();
       const Vector3 core(Extent(half.x()), Extent(half.y()), Extent(half.z()));
-      return {dgd::RoundedSet{dgd::Box<double>(core), radius}, FromBullet(transform, kZ)};
+      return {dgd::RoundedSet{dgd::Box<double>(core), radius}, FromBullet(transform, up)};
     }
     case CYLINDER_SHAPE_PROXYTYPE: {
       const auto& cylinder = static_cast<const btCylinderShape&>(shape);
-      const int up = cylinder.getUpAxis();
       const btVector3 half = is_sharp ? cylinder.getHalfExtentsWithMargin() : cylinder.getHalfExtentsWithoutMargin();
       // Bullet takes the radius from the first axis that is not the cylinder's own.
       return {dgd::RoundedSet{dgd::Cylinder<double>(Extent(half[up == 0 ? 1 : 0]), Extent(half[up])), radius},
@@ -63,14 +72,14 @@ PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, 
     case CONE_SHAPE_PROXYTYPE: {
       const auto& cone = static_cast<const btConeShape&>(shape);
       return {dgd::RoundedSet{dgd::Cone<double>(double(cone.getRadius()), double(cone.getHeight())), radius},
-              FromBullet(transform, cone.getConeUpIndex())};
+              FromBullet(transform, up)};
     }
     default:
       break;
   }
-  if (!IsHullOfPoints(type)) return {dgd::RoundedSet{ThroughBullet(shape, radius), radius}, FromBullet(transform, kZ)};
+  if (!IsHullOfPoints(type)) return {dgd::RoundedSet{ThroughBullet(shape, radius), radius}, FromBullet(transform, up)};
   if (hull == nullptr || !hull->Matches(shape)) hull = cache.Find(shape);
-  return {dgd::RoundedSet{dgd::CoreReference(hull->Core()), radius}, FromBullet(transform, kZ)};
+  return {dgd::RoundedSet{dgd::CoreReference(hull->Core()), radius}, FromBullet(transform, up)};
 }
 
 }  // namespace dgd_bullet

@@ -12,6 +12,9 @@ class btConvexShape;
 
 namespace dgd_bullet {
 
+/// Bullet's axis that is the z axis of the set that a shape becomes: a round shape's own, else z.
+int UpAxis(const btConvexShape& shape);
+
 /// Reads a shape. `hull` keeps the hull of point shapes from one call to the next, and is looked up in `cache` when it
 /// is not this shape's, as it is now.
 /// @param geometry  What the shape's surface is.

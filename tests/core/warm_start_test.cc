@@ -210,6 +210,30 @@ TEST(WarmStart, ManySeparatedFrames_KeepTheNormalAUnitVector) {
   }
 }
 
+// The plugin solves in double what Bullet knows in float: rotations that are off by 1e-7. A pair that stays apart is
+// answered from its normal nonetheless, whichever way that was found.
+TEST(WarmStart, RotationsRoundedToFloat_KeepTheNormal) {
+  Random random(TestSeed());
+  for (int i = 0; i < TestCount(500); ++i) {
+    ReferencePair reference;
+    reference.set_1 = RandomHull(random, 12, 0.5, 0.04);
+    reference.set_2 = RandomHull(random, 12, 0.5, 0.04);
+    PlaceRandomly(random, reference, {.closest = 1.1, .farthest = 1.1});
+    SolverPair<double> pair(reference);
+    for (dgd::Pose<double>* pose : {&pair.pose_1, &pair.pose_2}) {
+      pose->rotation = pose->rotation.cast<float>().cast<double>().eval();
+    }
+    dgd::WarmStart<double> by_distance, by_check;
+    const dgd::Settings<double> settings{.separation_limit = 0};
+    ASSERT_EQ(pair.GrowthDistance(settings, &by_distance).status, dgd::Status::kSeparated);
+    ASSERT_EQ(pair.DetectCollision({}, &by_check).status, dgd::Status::kSeparated);
+    for (dgd::WarmStart<double>* state : {&by_distance, &by_check}) {
+      ASSERT_TRUE(dgd::WereApart(state)) << state->normal_1.norm() - 1;
+      ASSERT_EQ(pair.GrowthDistance(settings, state).iterations, 1);
+    }
+  }
+}
+
 // What stays after a change of vertices while the state is kept: numbers that no longer exist are ignored.
 TEST(WarmStart, FewerVertices_AreNoticed) {
   Random random(TestSeed());

@@ -76,6 +76,39 @@ TEST(PairOrder, BodiesThatPassEachOther_GoOnFromTheLastQuery) {
   }
 }
 
+// While a pair is apart, its last normal answers for it, step after step: never longer than it is.
+TEST(PairHistory, BodiesThatComeNearer_HaveContactsAsSoonAsANewPairHas) {
+  const std::vector<ZooShape> zoo = MakeShapeZoo(0.5);
+  Dispatching dispatching(Route::kConfiguration);
+  Random random(TestSeed());
+  int met = 0;
+  for (const ZooShape& a : zoo) {
+    for (const ZooShape& b : zoo) {
+      SCOPED_TRACE(a.name + " and " + b.name);
+      PairQuery pair(dispatching.dispatcher(), *a.shape, *b.shape);
+      PlaceNearby(random, pair, 1);
+      const btVector3 axis = ToBullet(random.UnitVector());
+      bool has_met = false;
+      for (int step = 0; step < 60 && !has_met; ++step) {
+        btTransform& pose_b = pair.body_b().getWorldTransform();
+        pose_b.getOrigin() =
+            btScalar(0.97) * pose_b.getOrigin() + btScalar(0.03) * pair.body_a().getWorldTransform().getOrigin();
+        pose_b.getBasis() = btMatrix3x3(btQuaternion(axis, btScalar(0.02))) * pose_b.getBasis();
+        PairQuery fresh(dispatching.dispatcher(), *a.shape, *b.shape);
+        fresh.SetPoses(pair.body_a().getWorldTransform(), pose_b);
+        const std::vector<Contact> contacts = pair.Step(), firsts = fresh.Step();
+        has_met = !firsts.empty();
+        if (has_met && contacts.empty()) {
+          // Within rounding of the distance up to which there are any.
+          ASSERT_NEAR(Deepest(firsts).depth, double(fresh.manifold()->getContactBreakingThreshold()), 1e-5) << step;
+        }
+      }
+      met += has_met;
+    }
+  }
+  EXPECT_GT(met, int(zoo.size() * zoo.size()) * 9 / 10);
+}
+
 dgd_bullet::Options WithoutHistory() {
   dgd_bullet::Options options;
   options.warm_start = false;

@@ -115,7 +115,7 @@ template <class Set1, class Set2>
   result.iterations = 1;
   result.normal = normal;
   result.separation = separation;
-  state.normal_1 = normal_1;
+  state.normal_1 = normal_1.normalized();
   if (is_separated) state.size = state.known_size = 0;
   return result;
 }

@@ -92,7 +92,7 @@ template <class S, int L = 3>
 struct WarmStart {
   static constexpr int kCapacity = L + 4;  ///< Four more than a basis has save one of six directions on moving meshes.
 
-  Vector<S, L> normal_1 = Vector<S, L>::Zero();  ///< Last normal, in set 1's frame; zero for none.
+  Vector<S, L> normal_1 = Vector<S, L>::Zero();  ///< Last normal, in set 1's frame, unit length; zero for none.
   /// Points of the Minkowski difference by the features of the two cores: the last basis of the inner approximation,
   /// then what else was met.
   std::array<FeatureId, kCapacity> features_1{}, features_2{};

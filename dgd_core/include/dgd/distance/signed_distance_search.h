@@ -85,7 +85,7 @@ class SignedDistanceSearch {
 
   /// Leaves the simplex, and the normal, for SolveApart().
   void Remember(Status status, WarmStart<S>& warm_start) const {
-    warm_start.normal_1 = difference_.DirectionToSet1(best_.normal);
+    warm_start.normal_1 = difference_.NormalOfSet1(best_.normal);
     warm_start.size = status == Status::kSeparated ? 0 : static_cast<std::int32_t>(simplex_.Size());
     warm_start.known_size = 0;
     for (std::size_t i = 0; i < simplex_.Size(); ++i) {

@@ -179,7 +179,8 @@ class MinkowskiDifference {
   }
 
   Point DirectionToFrame(const Point& direction_1) const { return to_frame_1_ * direction_1; }
-  Point DirectionToSet1(const Point& direction) const { return to_frame_1_.transpose() * direction; }
+  /// Of unit length also where a rotation is not quite orthonormal, as one from an engine that works in float.
+  Point NormalOfSet1(const Point& direction) const { return (to_frame_1_.transpose() * direction).normalized(); }
   Point DirectionToWorld(const Point& direction) const { return frame_ * direction; }
   Point DirectionFromWorld(const Point& direction) const { return frame_.transpose() * direction; }
 

@@ -270,7 +270,7 @@ class RayIntersection {
 
   /// A pair that is apart remembers its normal only: the next query tries that first, and needs no basis then.
   void Remember(Status status, WarmStart<S, L>& warm_start) const {
-    warm_start.normal_1 = difference_.DirectionToSet1(outer_.Normal());
+    warm_start.normal_1 = difference_.NormalOfSet1(outer_.Normal());
     const std::int32_t last_size = warm_start.size, last_known_size = warm_start.known_size;
     warm_start.size = warm_start.known_size = 0;
     warm_start.features_1[0] = support_.feature_1;
