@@ -20,30 +20,15 @@ constexpr double kRounding = 32 * double(std::numeric_limits<btScalar>::epsilon(
 /// Points that are looked at in less time than the solver takes to find its own.
 constexpr int kMostPoints = 128;
 
-/// As many numbers as a btVector3 has in memory, of which the fourth may be anything.
-using Four [[gnu::vector_size(4 * sizeof(btScalar))]] = btScalar;
-
-/// Largest <direction, point>, in Bullet's precision, of four points at a time. NaN counts as no point: a hull that has
-/// one is no shape, and the solver's to refuse.
+/// Largest <direction, point>, in Bullet's precision. NaN counts as no point: a hull that has one is no shape, and the
+/// solver's to refuse.
 double Highest(const btVector3* points, int count, const btVector3& direction) {
-  using InMemory [[gnu::vector_size(4 * sizeof(btScalar)), gnu::aligned(alignof(btVector3)), gnu::may_alias]] =
-      btScalar;
-  const Four along = {direction.x(), direction.y(), direction.z(), 0};
-  Four highest = Four{} - BT_LARGE_FLOAT;
-  const auto look_at = [&](const btVector3* at_a, const btVector3* at_b, const btVector3* at_c, const btVector3* at_d) {
-    Four a = *reinterpret_cast<const InMemory*>(at_a), b = *reinterpret_cast<const InMemory*>(at_b);
-    Four c = *reinterpret_cast<const InMemory*>(at_c), d = *reinterpret_cast<const InMemory*>(at_d);
-    a *= along, b *= along, c *= along, d *= along;
-    const Four ab = __builtin_shufflevector(a, b, 0, 4, 1, 5), cd = __builtin_shufflevector(c, d, 0, 4, 1, 5);
-    const Four ab_z = __builtin_shufflevector(a, b, 2, 6, 2, 6), cd_z = __builtin_shufflevector(c, d, 2, 6, 2, 6);
-    const Four heights = __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7) +
-                         __builtin_shufflevector(ab_z, cd_z, 0, 1, 4, 5);
-    highest = heights > highest ? heights : highest;
-  };
-  const btVector3 *point = points, *end = points + count;
-  for (; end - point >= 4; point += 4) look_at(point, point + 1, point + 2, point + 3);
-  if (point != end) look_at(point, std::min(point + 1, end - 1), std::min(point + 2, end - 1), end - 1);
-  return double(std::max({highest[0], highest[1], highest[2], highest[3]}));
+  btScalar highest = -BT_LARGE_FLOAT;
+  for (const btVector3* point = points; point != points + count; ++point) {
+    const btScalar height = direction.x() * point->x() + direction.y() * point->y() + direction.z() * point->z();
+    highest = height > highest ? height : highest;
+  }
+  return double(highest);
 }
 
 template <class Shape>
