@@ -45,7 +45,7 @@ template <class Set1, class Set2>
 }
 
 /// For a yes or no, the line of centres, which is the first direction of a query in any case, is such a normal too.
-/// @return zero for coincident centres, and NaN for sets without an interior: neither separates.
+/// @return NaN for coincident centres, and for sets without an interior, which are no query's.
 template <class Set1, class Set2>
 VectorOf<typename Set1::Core> LineOfCenters(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
                                             const PoseOf<Set1>& pose_2) {
@@ -54,7 +54,7 @@ VectorOf<typename Set1::Core> LineOfCenters(const Set1& set_1, const PoseOf<Set1
   const S inradius = set_1.core.Inradius() + set_2.core.Inradius() + set_1.radius + set_2.radius;
   if (!(inradius > 0)) return Point::Constant(std::numeric_limits<S>::quiet_NaN());
   const Point between_centers = pose_2 * set_2.core.Center() - pose_1 * set_1.core.Center();
-  return (pose_1.rotation.transpose() * between_centers).normalized();
+  return pose_1.rotation.transpose() * Point(between_centers / between_centers.norm());
 }
 
 template <class Set1, class Set2, class Observer>
@@ -100,7 +100,7 @@ CollisionResultOf<Set1> DetectCollision(const Set1& set_1, const PoseOf<Set1>& p
       SeparatedAlong(normal_1, set_1, pose_1, set_2, pose_2, S(0), apart, top_1)) {
     if (is_cold && warm_start != nullptr) {
       *warm_start = {};
-      warm_start->normal_1 = normal_1;
+      warm_start->normal_1 = normal_1.normalized();
     }
     result.status = Status::kSeparated;
     result.iterations = apart.iterations;
