@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
 #include <optional>
 #include <typeinfo>
 #include <utility>
@@ -254,7 +255,7 @@ bool ConvexConvexAlgorithm::StaysAtRest(const btCollisionObjectWrapper& body_0, 
 }
 
 bool ConvexConvexAlgorithm::StaysApart(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
-                                       const btDispatcherInfo& info, const btManifoldResult& output) {
+                                       const btDispatcherInfo& info, const btManifoldResult& output) try {
   const Options& options = narrowphase_.options();
   if (had_contact_ || face_holder_ != dgd::FaceHolder::kNone || !dgd::HasNormal(warm_start_) || !options.warm_start ||
       options.geometry_mode != GeometryMode::kBullet || WantsContacts(info.m_debugDraw)) {
@@ -274,6 +275,8 @@ bool ConvexConvexAlgorithm::StaysApart(const btCollisionObjectWrapper& body_0, c
   const double breaking_threshold = double(manifold_->getContactBreakingThreshold());
   if (motion.IsWithin(RestingDistance(breaking_threshold))) RememberRest(body_0, body_1);
   return true;
+} catch (const std::exception&) {
+  return false;  // A user's shape that throws: FindContacts() says what comes of it.
 }
 
 double ConvexConvexAlgorithm::ContactDistance(const btManifoldResult& output) const {
@@ -291,10 +294,11 @@ void ConvexConvexAlgorithm::RememberRest(const btCollisionObjectWrapper& body_0,
                 RestingPair::CanTell(body_0, body_1, distance);
   if (!is_resting_) return;
   const RestingPair resting(body_0, body_1, *manifold_);
-  if (resting_ == nullptr) {
-    resting_ = std::make_unique<RestingPair>(resting);
-  } else {
+  if (resting_ != nullptr) {
     *resting_ = resting;
+  } else {
+    resting_.reset(new (std::nothrow) RestingPair(resting));
+    is_resting_ = resting_ != nullptr;
   }
 }
 
