@@ -12,7 +12,7 @@ struct btCollisionObjectWrapper;
 namespace dgd_bullet {
 
 /// Whether two convex shapes, with their margins, are farther apart along a normal than `limit`, metres. False where
-/// Bullet's support function would take longer than a search: of large hulls, and of meshes.
+/// that would take longer than the solver: of large hulls, and of meshes.
 /// @param normal  Unit, from A to B, world.
 bool AreApart(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b, const Vector3& normal,
               double limit);

@@ -29,6 +29,7 @@ struct Doubles {
     a = _mm256_max_pd(a, _mm256_permute2f128_pd(a, a, 1));  // Halves change places.
     return _mm256_max_pd(a, _mm256_permute_pd(a, 0b0101));  // Neighbours change places.
   }
+  // The least lane.
   static double Least(Vector a) {
     const __m128d half = _mm_min_pd(_mm256_castpd256_pd128(a), _mm256_extractf128_pd(a, 1));
     return _mm_cvtsd_f64(_mm_min_sd(half, _mm_unpackhi_pd(half, half)));

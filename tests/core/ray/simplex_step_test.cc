@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 #include "dgd/ray/feature_exit.h"
 #include "support/random.h"
 

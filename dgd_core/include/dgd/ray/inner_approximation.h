@@ -62,8 +62,8 @@ class InnerApproximation {
   }
 
   /// Starts with a facet in a ball of `inradius` inside the cores' difference (paper, eq.
-  /// inner-approximation-initialization). Set 1 contributes `share_1` of each point. With a radius this takes hulls 6 %
-  /// fewer directions than the centre does: a facet is there from the first step on.
+  /// inner-approximation-initialization). Set 1 contributes `share_1` of each point. With a radius, `rounding`,
+  /// this takes hulls 6 % fewer directions than the centre does: a facet is there from the first step on.
   static InnerApproximation FromInradius(S inradius, S share_1, S rounding = 0) {
     // The ray crosses the facet's middle half way up the ball, and its corners are on the ball.
     constexpr S kSine = ray_internal::kSineOfThirdTurn<S>;

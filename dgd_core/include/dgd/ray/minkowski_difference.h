@@ -116,8 +116,8 @@ class MinkowskiDifference {
 
   /// The point of the cores' difference farthest along the unit vector `normal` (ray frame): eq. (5) of the paper.
   /// @param direction  The normal's, of any length.
-  /// @param hint_1     Feature of a point of set 1 that is likely to be near, for cores that make use of one; any
-  ///                   will do.
+  /// @param hint_1, hint_2  Features of points of the sets that are likely to be near, for cores that make use of
+  ///                        them; any will do.
   DifferencePoint<S, L> Support(const Point& direction, const Point& normal, FeatureId hint_1 = kNoFeature,
                                 FeatureId hint_2 = kNoFeature) const {
     return Difference(CoreSupport<typename Set1::Core>(set_1_.core, to_frame_1_.transpose() * direction, hint_1),

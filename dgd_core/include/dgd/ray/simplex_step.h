@@ -26,6 +26,7 @@ std::size_t OutgoingCorner(const std::array<S, 3>& turns) {
   return 1;
 }
 
+/// A new point for one of a triangle's corners. Look at is_certain first: else the ray may pass another triangle.
 /// @tparam kRounded  Whether there is a radius.
 template <class S, bool kRounded>
 struct SimplexStep {
@@ -71,7 +72,7 @@ struct SimplexStep {
   std::size_t outgoing;      // The corner that the new point replaces; it lies below the new triangle if certain.
   std::size_t next, last;    // The other two: the new point, these, counterclockwise.
   std::array<S, 3> weights;  // Convex, of the new point, `next`, `last`.
-  S height;                  // Where the ray passes the moved triangle.
+  S height;                  // Where the ray passes the moved triangle, metres.
   Vector3<S> normal;         // Unit length, upwards.
   Vector3<S> direction;      // The normal's, of any length: known before that is.
   bool is_certain;           // That the ray passes inside the border, that the triangle is no sliver and not steep.

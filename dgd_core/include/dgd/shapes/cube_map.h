@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 
 #include "dgd/types.h"
 
 namespace dgd {
 
+/// A table by direction has an entry for each cell; all cells of a face are squares of the same size.
 template <class S>
 class CubeMap {
  public:

@@ -127,7 +127,7 @@ class VertexClimb {
     }
   }
 
-  /// Each from the cell's before, once.
+  /// Each by a walk from the start of the cell before.
   void ChooseStarts() {
     cells_ = CubeMap<S>(2 * offsets_.size());
     VertexId start = 0;
