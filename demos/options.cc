@@ -35,6 +35,8 @@ Written into DIR:
       deepest_true_penetration_m      by an exact oracle that shares no code with either narrowphase
   builtin_t00.50s.png, ...      pictures at the scene's times; blue bodies are still, red ones fast
   end_state.png                 the end of the run; of both side by side, if both ran
+  builtin.rec, dgd.rec          with --record: what the narrowphase was asked, for narrowphase_replay; one MB
+                                holds 5000 pairs (10000 in float)
   summary.csv                   the table that is printed at the end; its wall time counts Bullet's steps
                                 alone, without oracle, files and pictures
 
@@ -70,6 +72,7 @@ std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* 
   AddDurationOption(app, options.duration);
   AddOracleEveryOption(app, options.oracle_every);
   app.add_flag("--no-snapshots", no_snapshots, "Draw no pictures");
+  app.add_flag("--record", options.record, "Write down what each narrowphase is asked");
 
   try {
     app.parse(argc, argv);

@@ -18,6 +18,7 @@ struct Options {
   std::uint64_t seed = 1;
   std::filesystem::path out = "out";
   bool draw_snapshots = true;
+  bool record = false;             ///< What the narrowphases are asked.
   std::optional<double> duration;  ///< s
   int oracle_every = 1;            ///< Steps.
 };

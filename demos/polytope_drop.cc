@@ -1,7 +1,10 @@
 // polytope_drop: a scene in Bullet, on one narrowphase or the other or both, measured and drawn. See --help.
+#include <dgd_bullet/recorder.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,10 +26,15 @@ DropRun RunAndRecord(const Scene& scene, const std::vector<Body>& bodies, Narrow
   const std::string name(NameOf(narrowphase));
   StepCsv csv(options.out / (name + ".csv"), {scene.file, options.seed, name, BulletPrecision(), DGD_DEMOS_BUILD_TYPE});
   ProgressBar progress(name + std::string(8 - std::min<std::size_t>(name.size(), 8), ' '), scene.duration);
-  return RunDrop(scene, bodies, narrowphase, options.oracle_every, [&](const StepRecord& step) {
+  std::optional<dgd_bullet::Recorder> recorder;
+  if (options.record) recorder.emplace((options.out / (name + ".rec")).string());
+  const auto on_step = [&](const StepRecord& step) {
     csv.Write(step);
     progress.Update(step.time);
-  });
+  };
+  DropRun run = RunDrop(scene, bodies, narrowphase, options.oracle_every, on_step, recorder ? &*recorder : nullptr);
+  if (recorder) recorder->Close();
+  return run;
 }
 
 ExitStatus Run(const Options& options) {

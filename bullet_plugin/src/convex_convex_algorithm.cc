@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "contact_drawer.h"
+#include "dgd_bullet/recorder.h"
 #include "friction_anchors.h"
 #include "manifold_writer.h"
 #include "pair_apart.h"
@@ -101,6 +102,7 @@ ConvexConvexAlgorithm::~ConvexConvexAlgorithm() {
 void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* body_0,
                                              const btCollisionObjectWrapper* body_1, const btDispatcherInfo& info,
                                              btManifoldResult* output) {
+  if (Recorder* recorder = narrowphase_.options().recorder) recorder->Add(*body_0, *body_1);
   if (!HasManifold(body_0, body_1)) return;
   output->setPersistentManifold(manifold_);
   if (StaysAtRest(*body_0, *body_1, info, *output)) return;

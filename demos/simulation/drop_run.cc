@@ -55,9 +55,10 @@ int StepCount(const Scene& scene) { return static_cast<int>(std::lround(scene.du
 const char* BulletPrecision() { return std::is_same_v<btScalar, double> ? "double" : "float"; }
 
 DropRun RunDrop(const Scene& scene, const std::vector<Body>& bodies, Narrowphase narrowphase, int oracle_every,
-                const std::function<void(const StepRecord&)>& on_step) {
+                const std::function<void(const StepRecord&)>& on_step, dgd_bullet::Recorder* recorder) {
   Stepper stepper(scene, bodies, narrowphase, oracle_every);
   World& world = stepper.world();
+  if (recorder != nullptr) world.RecordInto(*recorder);
   DropRun run;
 
   auto next_picture = scene.snapshots.begin();

@@ -1,8 +1,11 @@
-// Bullet's dispatcher with a stop watch and a counter: the same for every narrowphase, and outside of what it measures.
+// Bullet's dispatcher with a stop watch, a counter and, if wanted, a recorder: the same for every narrowphase, and
+// outside of what it measures.
 #pragma once
 
 #include <BulletCollision/BroadphaseCollision/btOverlappingPairCache.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <dgd_bullet/recorder.h>
 
 #include <chrono>
 
@@ -14,11 +17,15 @@ class TimingDispatcher : public btCollisionDispatcher {
 
   void dispatchAllCollisionPairs(btOverlappingPairCache* pair_cache, const btDispatcherInfo& info,
                                  btDispatcher* dispatcher) override {
+    if (recorder_ != nullptr) RecordStep(pair_cache->getOverlappingPairArray());
     const auto start = std::chrono::steady_clock::now();
     Dispatch(pair_cache, info, dispatcher);
     last_duration_ = std::chrono::steady_clock::now() - start;
     last_queries_ = CountQueries(pair_cache->getOverlappingPairArray());
   }
+
+  /// From now on, each dispatch is a step of the recorder's, which must outlive this.
+  void RecordInto(dgd_bullet::Recorder& recorder) { recorder_ = &recorder; }
 
   /// Wall time of the last dispatch of all pairs.
   std::chrono::duration<double, std::micro> last_duration() const { return last_duration_; }
@@ -34,16 +41,34 @@ class TimingDispatcher : public btCollisionDispatcher {
  private:
   int CountQueries(const btBroadphasePairArray& pairs) {
     int queries = 0;
+    ForEachQuery(pairs, [&](const btCollisionObject&, const btCollisionObject&) { ++queries; });
+    return queries;
+  }
+
+  void RecordStep(const btBroadphasePairArray& pairs) {
+    const auto wrap = [](const btCollisionObject& body) {
+      return btCollisionObjectWrapper(nullptr, body.getCollisionShape(), &body, body.getWorldTransform(), -1, -1);
+    };
+    ForEachQuery(pairs, [&](const btCollisionObject& first, const btCollisionObject& second) {
+      if (first.getCollisionShape()->isConvex() && second.getCollisionShape()->isConvex()) {
+        recorder_->Add(wrap(first), wrap(second));
+      }
+    });
+    recorder_->NextStep();
+  }
+
+  template <class Use>
+  void ForEachQuery(const btBroadphasePairArray& pairs, const Use& use) {
     for (int i = 0; i < pairs.size(); ++i) {
       const auto* first = static_cast<const btCollisionObject*>(pairs[i].m_pProxy0->m_clientObject);
       const auto* second = static_cast<const btCollisionObject*>(pairs[i].m_pProxy1->m_clientObject);
-      if (needsCollision(first, second)) ++queries;
+      if (needsCollision(first, second)) use(*first, *second);
     }
-    return queries;
   }
 
   std::chrono::duration<double, std::micro> last_duration_{};
   int last_queries_ = 0;
+  dgd_bullet::Recorder* recorder_ = nullptr;
 };
 
 }  // namespace dgd_demos

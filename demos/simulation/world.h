@@ -26,6 +26,9 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
+  /// From the next step on, the recorder gets what the narrowphase is asked. It must outlive this.
+  void RecordInto(dgd_bullet::Recorder& recorder) { dispatcher_.RecordInto(recorder); }
+
   /// Advances by the scene's time step.
   CollisionReport Step();
 

@@ -1,4 +1,5 @@
 // The program as its users run it: exit statuses, what it prints, what it leaves on disk.
+#include <dgd_bullet/record_file.h>
 #include <gtest/gtest.h>
 #include <png.h>
 #include <sys/wait.h>
@@ -61,6 +62,19 @@ TEST_F(PolytopeDropTest, OneNarrowphaseWithoutPictures_LeavesOnlyItsCsvAndTheTab
   EXPECT_FALSE(Exists("out/builtin.csv"));
   EXPECT_FALSE(Exists("out/end_state.png"));
   EXPECT_EQ(outcome.output.find(" ratio\n"), std::string::npos);
+}
+
+TEST_F(PolytopeDropTest, Record_LeavesWhatEachNarrowphaseWasAsked) {
+  const auto scene = folder_.Write("scene.json", ValidSceneText());
+  const Outcome outcome =
+      Run("--scene " + scene.string() + " --no-snapshots --duration 0.6 --record --out " + Path("out"));
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  for (const char* name : {"out/builtin.rec", "out/dgd.rec"}) {
+    const dgd_bullet::Record record = dgd_bullet::ReadRecord(Path(name));
+    EXPECT_FALSE(record.problem) << *record.problem;
+    EXPECT_EQ(record.shapes.size(), 2U) << "the box and the ground";
+    EXPECT_GT(record.pairs.size(), 0U);
+  }
 }
 
 TEST_F(PolytopeDropTest, BodyLeavesTheWorld_Status1NamesItAndKeepsTheCsv) {

@@ -11,6 +11,8 @@
 
 #include "dgd_bullet/collision_configuration.h"
 #include "dgd_bullet/convex_cast.h"
+#include "dgd_bullet/record_file.h"
+#include "dgd_bullet/recorder.h"
 #include "dgd_bullet/register.h"
 #include "support/readme_snippets.h"
 
@@ -72,27 +74,46 @@ TEST(ReadmePlugin, Cast_FindsTheImpact) {
   EXPECT_NEAR(double(result.m_fraction), 1 - std::asin(0.3 / 0.8) / double(SIMD_HALF_PI), 1e-6);
 }
 
+/// Snippets name their files without a folder: a new one for this precision.
+void MoveToEmptyFolder() {
+  const std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / ("dgd_readme_" + std::to_string(sizeof(btScalar)));
+  std::filesystem::create_directories(folder);
+  std::filesystem::current_path(folder);
+}
+
 TEST(ReadmePlugin, Statistics_AreWrittenAsJson) {
   dgd_bullet::Options options;
   options.count_pairs = true;
   dgd_bullet::CollisionConfiguration configuration(options);
   btCollisionDispatcher dispatcher(&configuration);
   ContactsOfTwoCubes(dispatcher, configuration);
-  const std::filesystem::path folder =
-      std::filesystem::path(testing::TempDir()) / ("dgd_readme_" + std::to_string(sizeof(btScalar)));
-  std::filesystem::create_directories(folder);
-  std::filesystem::current_path(folder);
+  MoveToEmptyFolder();
 
   std::ofstream("pairs.json") << dgd_bullet::ToJson(configuration.statistics());
 
   EXPECT_EQ(nlohmann::json::parse(std::ifstream("pairs.json"))["pairs"][0]["calls"], 1);
 }
 
+TEST(ReadmePlugin, Recorder_WritesThePairs) {
+  MoveToEmptyFolder();
+  dgd_bullet::Options options;
+
+  dgd_bullet::Recorder recorder("pairs.rec");  // dgd_bullet/recorder.h
+  options.recorder = &recorder;                // ... and recorder.NextStep() after each step.
+
+  dgd_bullet::CollisionConfiguration configuration(options);
+  btCollisionDispatcher dispatcher(&configuration);
+  ContactsOfTwoCubes(dispatcher, configuration);
+  recorder.Close();
+  EXPECT_EQ(dgd_bullet::ReadRecord("pairs.rec").pairs.size(), 1U);
+}
+
 TEST(ReadmePlugin, Snippets_AreTheseWordForWord) {
   const std::string root = DGD_TEST_ROOT;
   EXPECT_EQ(dgd_test::ExpectSnippetsIn(root + "/README.md", "## Use it in your app",
                                        {root + "/tests/plugin/readme_plugin_test.cc"}),
-            5);
+            6);
 }
 
 }  // namespace

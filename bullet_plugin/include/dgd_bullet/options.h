@@ -3,6 +3,8 @@
 
 namespace dgd_bullet {
 
+class Recorder;
+
 /// Along which normal two bodies touch. Either is the exact one where they only touch, and the reported depth is always
 /// the separation along the reported normal.
 enum class NormalMode {
@@ -78,6 +80,9 @@ struct Options {
 
   /// Fill Statistics::pairs. Threads then share counters; without it, none are touched.
   bool count_pairs = false;
+
+  /// Is given all that Bullet asks about (dgd_bullet/recorder.h), or null. Not owned: must outlive the dispatcher.
+  Recorder* recorder = nullptr;
 };
 
 }  // namespace dgd_bullet
