@@ -82,8 +82,23 @@ std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* 
   return options;
 }
 
-constexpr std::array<const char*, kSpeedMethodCount> kTitles = {
-    "cold", "  plain", "warm", "  plain", "collision check, cold", "  plain"};
+/// What a row of a class's table shows.
+struct RowKind {
+  const char* title;
+  SpeedQuestion question;
+};
+
+constexpr auto kWarmStart = SpeedQuestion::Start::kWarm;
+/// Ours, each followed by its yardstick.
+constexpr std::array kRowKinds = {
+    RowKind{"cold", {.method = SpeedMethod::kOurs}},
+    RowKind{"  plain", {.method = SpeedMethod::kPlain}},
+    RowKind{"warm", {.method = SpeedMethod::kOurs, .start = kWarmStart}},
+    RowKind{"  plain", {.method = SpeedMethod::kPlain, .start = kWarmStart}},
+    RowKind{"collision check, cold", {.method = SpeedMethod::kOurs, .is_check = true}},
+    RowKind{"  plain", {.method = SpeedMethod::kPlain, .is_check = true}},
+};
+constexpr std::size_t kColdRow = 0, kWarmRow = 2, kCheckRow = 4;
 
 /// One method on all pairs and poses of a class.
 struct Row {
@@ -97,22 +112,22 @@ struct Row {
     iterations += answer.iterations;
     const auto index = static_cast<std::int64_t>(microseconds.size());
     relative_gap.Take(answer.relative_gap, index);
-    primal_infeasibility.Take(answer.primal_infeasibility, index);
+    primal_infeasibility.Take(answer.primal_infeasibility / answer.size, index);
     if (answer.is_failure) ++failures;
   }
 };
-using Rows = std::array<Row, kSpeedMethodCount>;
+using Rows = std::array<Row, kRowKinds.size()>;
 
 template <int L>
 void Measure(const SpeedPair<L>& pair, const Options& options, Rows& rows) {
-  std::array<double, kSpeedMethodCount> least;
+  std::array<double, kRowKinds.size()> least;
   least.fill(std::numeric_limits<double>::infinity());
   for (int round = 0; round < options.rounds; ++round) {
     for (std::size_t m = 0; m < rows.size(); ++m) {
-      least[m] = std::min(least[m], pair.Time(static_cast<SpeedMethod>(m), options.repeats));
+      least[m] = std::min(least[m], pair.Time(kRowKinds[m].question, options.repeats));
     }
   }
-  for (std::size_t m = 0; m < rows.size(); ++m) rows[m].Take(least[m], pair.Judge(static_cast<SpeedMethod>(m)));
+  for (std::size_t m = 0; m < rows.size(); ++m) rows[m].Take(least[m], pair.Judge(kRowKinds[m].question));
 }
 
 template <int L>
@@ -141,8 +156,9 @@ void Print(const PairClass& each, const Rows& rows) {
   std::printf("%s: %s\n", each.name, each.title);
   for (std::size_t m = 0; m < rows.size(); ++m) {
     const Row& row = rows[m];
-    const bool is_plain = m % 2 == 1, is_check = m >= static_cast<std::size_t>(SpeedMethod::kCheck);
-    std::printf("  %-24s%9.3f%9.3f%9.3f", kTitles[m], Percentile(row.microseconds, 0.5),
+    const SpeedQuestion& question = kRowKinds[m].question;
+    const bool is_plain = question.method == SpeedMethod::kPlain, is_check = question.is_check;
+    std::printf("  %-24s%9.3f%9.3f%9.3f", kRowKinds[m].title, Percentile(row.microseconds, 0.5),
                 Percentile(row.microseconds, 0.99), Percentile(row.microseconds, 0.9999));
     if (is_plain) {
       std::printf("%10s", "");
@@ -162,10 +178,8 @@ void Print(const PairClass& each, const Rows& rows) {
 
 /// The exponent of a power of the vertex count, from the first class to the last.
 double Growth(const PairClass& first, const Rows& rows_first, const PairClass& last, const Rows& rows_last,
-              SpeedMethod method) {
-  const auto p50 = [&](const Rows& rows) {
-    return Percentile(rows[static_cast<std::size_t>(method)].microseconds, 0.5);
-  };
+              std::size_t row) {
+  const auto p50 = [&](const Rows& rows) { return Percentile(rows[row].microseconds, 0.5); };
   return std::log(p50(rows_last) / p50(rows_first)) / std::log(double(last.vertices) / first.vertices);
 }
 
@@ -174,12 +188,10 @@ void PrintGrowth(const std::vector<std::pair<const PairClass*, Rows>>& measured)
   if (measured.size() < 2) return;
   const PairClass &first = *measured.front().first, &last = *measured.back().first;
   const Rows &rows_first = measured.front().second, &rows_last = measured.back().second;
-  const auto growth = [&](SpeedMethod method) { return Growth(first, rows_first, last, rows_last, method); };
+  const auto growth = [&](std::size_t row) { return Growth(first, rows_first, last, rows_last, row); };
   std::printf("From %d to %d vertices, times grow as n to the power of: cold %.2f, warm %.2f, collision check %.2f; ",
-              first.vertices, last.vertices, growth(SpeedMethod::kCold), growth(SpeedMethod::kWarm),
-              growth(SpeedMethod::kCheck));
-  std::printf("plain %.2f, %.2f, %.2f\n", growth(SpeedMethod::kPlainCold), growth(SpeedMethod::kPlainWarm),
-              growth(SpeedMethod::kPlainCheck));
+              first.vertices, last.vertices, growth(kColdRow), growth(kWarmRow), growth(kCheckRow));
+  std::printf("plain %.2f, %.2f, %.2f\n", growth(kColdRow + 1), growth(kWarmRow + 1), growth(kCheckRow + 1));
 }
 
 ExitStatus Run(const Options& options) {

@@ -8,19 +8,36 @@
 
 namespace dgd_bench {
 
-/// Ours, and the paper's algorithm as printed (bench/textbook/), in turns.
-enum class SpeedMethod : std::uint8_t { kCold, kPlainCold, kWarm, kPlainWarm, kCheck, kPlainCheck };
-inline constexpr int kSpeedMethodCount = 6;
+enum class SpeedMethod : std::uint8_t {
+  kOurs,
+  kOursFloat,  ///< The same in float, poses and sets rounded to it.
+  kPlain,      ///< The paper's algorithm as printed (bench/textbook/plain_algorithm.h).
+};
+
+/// What is asked, and of whom.
+struct SpeedQuestion {
+  enum class Start : std::uint8_t { kCold, kWarm };
+
+  SpeedMethod method = SpeedMethod::kOurs;
+  Start start = Start::kCold;
+  bool is_check = false;     ///< Only yes or no; always cold.
+  double tolerance = 0;      ///< Of the relative gap; 0 for the method's own.
+  bool second_order = true;  ///< As the two settings of ours with these names.
+  bool rounding = true;
+};
 
 /// What an answer is worth.
 struct SpeedAnswer {
   int iterations = 0;
-  double relative_gap = 0;          ///< By dgd/certificate.h, as the next; 0 for a check.
-  double primal_infeasibility = 0;  ///< As a part of the pair's size.
-  bool is_failure = false;          ///< Not optimal; of a check: undecided, or the wrong answer.
+  double relative_gap = 0;          ///< By dgd/certificate.h, as the next two; 0 for a check.
+  double primal_infeasibility = 0;  ///< Metres.
+  double dual_infeasibility = 0;
+  double size = 1;                          ///< Of the pair: its extent and the distance of the centres, metres.
+  bool is_failure = false;                  ///< Not optimal; of a check: undecided, or the wrong answer.
+  double lower_bound = 0, upper_bound = 0;  ///< On the growth distance; 0 for a check.
 };
 
-/// Both sets, in double; made from numbers, then asked in many poses.
+/// Both sets; made from numbers, then asked in many poses.
 template <int L>
 class SpeedPair {
  public:
@@ -33,12 +50,12 @@ class SpeedPair {
   /// @param last_pose_2  Of set 2 at the query before: where warm starts come from.
   virtual void MoveTo(const dgd_test::PoseNumbers& pose_1, const dgd_test::PoseNumbers& last_pose_2,
                       const dgd_test::PoseNumbers& pose_2) = 0;
-  virtual double Time(SpeedMethod method, int repeats) const = 0;  ///< Mean of so many queries in a row, us.
-  virtual SpeedAnswer Judge(SpeedMethod method) const = 0;
+  virtual double Time(const SpeedQuestion& question, int repeats) const = 0;  ///< Mean of so many in a row, us.
+  virtual SpeedAnswer Judge(const SpeedQuestion& question) const = 0;
 };
 
-/// Of the types that the classes of bench/pair_class.h draw; throws std::invalid_argument for others. The solver is
-/// instantiated for each unordered pair of types: the sets may change places.
+/// Of the types that the classes of bench/pair_class.h draw, and of those that a record holds but for triangles; throws
+/// std::invalid_argument for others. The solver is instantiated for each unordered pair of types.
 template <int L>
 std::unique_ptr<SpeedPair<L>> MakeSpeedPair(const dgd_test::SetNumbers& set_1, const dgd_test::SetNumbers& set_2);
 

@@ -1,6 +1,9 @@
 // SpeedPair for one pair of types.
 #pragma once
 
+#include <concepts>
+#include <limits>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
@@ -10,6 +13,7 @@
 #include "dgd/certificate.h"
 #include "dgd/growth_distance.h"
 #include "support/extent.h"
+#include "support/pairs/with_core.h"
 
 namespace dgd_bench {
 
@@ -17,93 +21,200 @@ namespace dgd_bench {
 template <class Core>
 class CoreHolder {
  public:
+  using Scalar = typename Core::Scalar;
   using Set = dgd::RoundedSet<std::conditional_t<std::is_trivially_copyable_v<Core>, Core, dgd::CoreReference<Core>>>;
+  static constexpr int L = dgd::kDimension<Core>;
 
-  CoreHolder(Core core, double radius) : core_(std::move(core)), radius_(radius) {}
+  CoreHolder(Core core, double radius) : core_(std::move(core)), radius_(static_cast<Scalar>(radius)) {}
+  /// Throws std::logic_error for numbers of another type.
+  explicit CoreHolder(const dgd_test::SetNumbers& numbers) : CoreHolder(CoreFrom(numbers), numbers.radius) {}
+
   Set MakeSet() const { return Set{core_, radius_}; }
   double Extent() const { return dgd_test::Extent(core_, radius_); }
 
  private:
+  static Core CoreFrom(const dgd_test::SetNumbers& numbers) {
+    return dgd_test::WithCore<Scalar, L>(numbers, []<class Made>(Made core) -> Core {
+      if constexpr (std::same_as<Made, Core>) return core;
+      throw std::logic_error("a core of another type");
+    });
+  }
+
   Core core_;
-  double radius_;
+  Scalar radius_;
+};
+
+/// The same core in float.
+template <class Core>
+struct FloatCore;
+template <template <class> class Core>
+struct FloatCore<Core<double>> {
+  using Type = Core<float>;
+};
+template <template <class, int> class Core, int L>
+struct FloatCore<Core<double, L>> {
+  using Type = Core<float, L>;
+};
+template <template <class, dgd::VertexId> class Core, dgd::VertexId kMostScanned>
+struct FloatCore<Core<double, kMostScanned>> {
+  using Type = Core<float, kMostScanned>;
+};
+
+/// The sets of one scalar in their poses, asked by the solver.
+template <class Core1, class Core2>
+class SolverSide {
+ public:
+  using S = typename Core1::Scalar;
+  static constexpr int L = dgd::kDimension<Core1>;
+  using Pose = dgd::Pose<S, L>;
+
+  SolverSide(const dgd_test::SetNumbers& set_1, const dgd_test::SetNumbers& set_2)
+      : holder_1_(set_1), holder_2_(set_2) {}
+
+  const auto& set_1() const { return set_1_; }
+  const auto& set_2() const { return set_2_; }
+  const Pose& pose_1() const { return pose_1_; }
+  const Pose& pose_2() const { return pose_2_; }
+  double Extent() const { return holder_1_.Extent() + holder_2_.Extent(); }
+
+  void MoveTo(const dgd_test::PoseNumbers& pose_1, const dgd_test::PoseNumbers& pose_2) {
+    pose_1_ = PoseFrom(pose_1);
+    pose_2_ = PoseFrom(pose_2);
+  }
+  /// Warm starts come from here.
+  void Remember() {
+    warm_start_ = {};
+    dgd::GrowthDistance(set_1_, pose_1_, set_2_, pose_2_, {}, &warm_start_);
+  }
+
+  dgd::Result<S, L> Cold(const dgd::Settings<S>& settings) const {
+    return dgd::GrowthDistance(set_1_, pose_1_, set_2_, pose_2_, settings);
+  }
+  dgd::Result<S, L> Warm(const dgd::Settings<S>& settings) const {
+    dgd::WarmStart<S, L> warm_start = warm_start_;  // Each repeat is the second query again, not a third.
+    const dgd::Result<S, L> result = dgd::GrowthDistance(set_1_, pose_1_, set_2_, pose_2_, settings, &warm_start);
+    Keep(warm_start);
+    return result;
+  }
+  dgd::Status Check() const { return dgd::DetectCollision(set_1_, pose_1_, set_2_, pose_2_).status; }
+
+ private:
+  static Pose PoseFrom(const dgd_test::PoseNumbers& pose) {
+    return {pose.rotation.topLeftCorner<L, L>().template cast<S>(), pose.translation.head<L>().template cast<S>()};
+  }
+
+  CoreHolder<Core1> holder_1_;
+  CoreHolder<Core2> holder_2_;
+  typename CoreHolder<Core1>::Set set_1_ = holder_1_.MakeSet();
+  typename CoreHolder<Core2>::Set set_2_ = holder_2_.MakeSet();
+  Pose pose_1_, pose_2_;
+  dgd::WarmStart<S, L> warm_start_;
 };
 
 template <class Core1, class Core2>
 class TypedSpeedPair final : public SpeedPair<dgd::kDimension<Core1>> {
  public:
   static constexpr int L = dgd::kDimension<Core1>;
-  using Pose = dgd::Pose<double, L>;
   using Result = dgd::Result<double, L>;
 
-  TypedSpeedPair(Core1 core_1, double radius_1, Core2 core_2, double radius_2)
-      : holder_1_(std::move(core_1), radius_1), holder_2_(std::move(core_2), radius_2) {}
+  TypedSpeedPair(const dgd_test::SetNumbers& set_1, const dgd_test::SetNumbers& set_2)
+      : ours_(set_1, set_2), ours_float_(set_1, set_2) {}
 
-  double Extent() const override { return holder_1_.Extent() + holder_2_.Extent(); }
+  double Extent() const override { return ours_.Extent(); }
 
   void MoveTo(const dgd_test::PoseNumbers& pose_1, const dgd_test::PoseNumbers& last_pose_2,
               const dgd_test::PoseNumbers& pose_2) override {
-    pose_1_ = PoseFrom(pose_1);
-    pose_2_ = PoseFrom(last_pose_2);
-    warm_start_ = {};
-    dgd::GrowthDistance(set_1_, pose_1_, set_2_, pose_2_, {}, &warm_start_);
+    ours_.MoveTo(pose_1, last_pose_2);
+    ours_.Remember();
+    ours_float_.MoveTo(pose_1, last_pose_2);
+    ours_float_.Remember();
     plain_state_ = {};
-    PlainGrowthDistance(plain_1_, pose_1_, plain_2_, pose_2_, &plain_state_);
-    pose_2_ = PoseFrom(pose_2);
+    PlainGrowthDistance(plain_1_, ours_.pose_1(), plain_2_, ours_.pose_2(), &plain_state_);
+    ours_.MoveTo(pose_1, pose_2);
+    ours_float_.MoveTo(pose_1, pose_2);
   }
 
-  double Time(SpeedMethod method, int repeats) const override {
-    return Ask(method, [&](const auto& ask) { return MeanMicroseconds(repeats, [&] { Keep(ask()); }); });
+  double Time(const SpeedQuestion& question, int repeats) const override {
+    return Ask(question, [&](const auto& ask) { return MeanMicroseconds(repeats, [&] { Keep(ask()); }); });
   }
 
-  SpeedAnswer Judge(SpeedMethod method) const override {
-    return Ask(method, [&](const auto& ask) { return Judge(ask()); });
+  SpeedAnswer Judge(const SpeedQuestion& question) const override {
+    return Ask(question, [&](const auto& ask) { return Judge(ask()); });
   }
 
  private:
-  static Pose PoseFrom(const dgd_test::PoseNumbers& pose) {
-    return {pose.rotation.topLeftCorner<L, L>(), pose.translation.head<L>()};
-  }
-
   template <class Use>
-  auto Ask(SpeedMethod method, const Use& use) const {
-    switch (method) {
-      case SpeedMethod::kCold:
-        return use([this] { return Cold(); });
-      case SpeedMethod::kPlainCold:
-        return use([this] { return PlainGrowthDistance(plain_1_, pose_1_, plain_2_, pose_2_); });
-      case SpeedMethod::kWarm:
-        return use([this] {
-          dgd::WarmStart<double, L> warm_start = warm_start_;  // Each repeat is the second query again, not a third.
-          const Result result = dgd::GrowthDistance(set_1_, pose_1_, set_2_, pose_2_, {}, &warm_start);
-          Keep(warm_start);
-          return result;
-        });
-      case SpeedMethod::kPlainWarm:
-        return use([this] {
-          PlainState<L> state = plain_state_;
-          const Result result = PlainGrowthDistance(plain_1_, pose_1_, plain_2_, pose_2_, &state);
-          Keep(state);
-          return result;
-        });
-      case SpeedMethod::kCheck:
-        return use([this] { return dgd::DetectCollision(set_1_, pose_1_, set_2_, pose_2_).status; });
-      case SpeedMethod::kPlainCheck:
+  auto Ask(const SpeedQuestion& question, const Use& use) const {
+    const bool is_warm = question.start == SpeedQuestion::Start::kWarm;
+    switch (question.method) {
+      case SpeedMethod::kOurs:
+        if (question.is_check) return use([this] { return ours_.Check(); });
+        return AskSolver(ours_, question, use);
+      case SpeedMethod::kOursFloat:
+        return AskSolver(ours_float_, question, use);
+      case SpeedMethod::kPlain:
         break;
     }
-    return use([this] { return PlainCollision(plain_1_, pose_1_, plain_2_, pose_2_); });
+    if (question.is_check) {
+      return use([this] { return PlainCollision(plain_1_, ours_.pose_1(), plain_2_, ours_.pose_2()); });
+    }
+    const double tolerance = question.tolerance > 0 ? question.tolerance : dgd::kSqrtEpsilon<double>;
+    return use([=, this] {
+      PlainState<L> state;
+      if (is_warm) state = plain_state_;
+      const Result result = PlainGrowthDistance(plain_1_, ours_.pose_1(), plain_2_, ours_.pose_2(),
+                                                is_warm ? &state : nullptr, tolerance);
+      Keep(state);
+      return result;
+    });
   }
 
-  Result Cold() const { return dgd::GrowthDistance(set_1_, pose_1_, set_2_, pose_2_); }
+  template <class Side, class Use>
+  static auto AskSolver(const Side& side, const SpeedQuestion& question, const Use& use) {
+    using S = typename Side::S;
+    dgd::Settings<S> settings;
+    if (question.tolerance > 0) settings.relative_tolerance = static_cast<S>(question.tolerance);
+    settings.second_order = question.second_order;
+    settings.rounding = question.rounding;
+    if (question.start == SpeedQuestion::Start::kWarm) return use([&side, settings] { return side.Warm(settings); });
+    return use([&side, settings] { return side.Cold(settings); });
+  }
 
-  SpeedAnswer Judge(const Result& result) const {
-    const dgd::Certificate certificate = dgd::Certify(set_1_, pose_1_, set_2_, pose_2_, result);
-    const double between = (pose_2_ * set_2_.core.Center() - pose_1_ * set_1_.core.Center()).norm();
-    return {result.iterations, certificate.relative_gap, certificate.primal_infeasibility / (Extent() + between),
-            result.status != dgd::Status::kOptimal};
+  /// Of the sets in double, whatever the answer is of.
+  template <class S>
+  SpeedAnswer Judge(const dgd::Result<S, L>& result) const {
+    const dgd::Certificate certificate =
+        dgd::Certify(ours_.set_1(), ours_.pose_1(), ours_.set_2(), ours_.pose_2(), InDouble(result));
+    const auto center = [](const auto& set, const auto& pose) -> dgd::Vector<double, L> {
+      return pose * set.core.Center();
+    };
+    const double between = (center(ours_.set_2(), ours_.pose_2()) - center(ours_.set_1(), ours_.pose_1())).norm();
+    return {.iterations = result.iterations,
+            .relative_gap = certificate.relative_gap,
+            .primal_infeasibility = certificate.primal_infeasibility,
+            .dual_infeasibility = certificate.dual_infeasibility,
+            .size = Extent() + between,
+            .is_failure = result.status != dgd::Status::kOptimal,
+            .lower_bound = double(result.lower_bound),
+            .upper_bound = double(result.upper_bound)};
+  }
+
+  template <class S>
+  static Result InDouble(const dgd::Result<S, L>& result) {
+    Result in_double;
+    in_double.status = result.status;
+    in_double.iterations = result.iterations;
+    in_double.lower_bound = result.lower_bound;
+    in_double.upper_bound = result.upper_bound;
+    in_double.normal = result.normal.template cast<double>();
+    in_double.separation = result.separation;
+    in_double.witness_1 = result.witness_1.template cast<double>();
+    in_double.witness_2 = result.witness_2.template cast<double>();
+    return in_double;
   }
 
   SpeedAnswer Judge(dgd::Status status) const {
-    const Result truth = Cold();
+    const Result truth = ours_.Cold({});
     constexpr double kTouch = 2 * dgd::kSqrtEpsilon<double>;  // Both checks' tolerance, and that of the truth.
     const bool may_touch = truth.lower_bound <= 1 + kTouch && truth.upper_bound >= 1 - kTouch;
     const bool is_right = status == dgd::Status::kSeparated   ? truth.upper_bound > 1
@@ -112,14 +223,10 @@ class TypedSpeedPair final : public SpeedPair<dgd::kDimension<Core1>> {
     return {.is_failure = !is_right};
   }
 
-  CoreHolder<Core1> holder_1_;
-  CoreHolder<Core2> holder_2_;
-  typename CoreHolder<Core1>::Set set_1_ = holder_1_.MakeSet();
-  typename CoreHolder<Core2>::Set set_2_ = holder_2_.MakeSet();
-  SupportFunctionOf<typename CoreHolder<Core1>::Set::Core> plain_1_{set_1_};
-  SupportFunctionOf<typename CoreHolder<Core2>::Set::Core> plain_2_{set_2_};
-  Pose pose_1_, pose_2_;
-  dgd::WarmStart<double, L> warm_start_;
+  SolverSide<Core1, Core2> ours_;
+  SolverSide<typename FloatCore<Core1>::Type, typename FloatCore<Core2>::Type> ours_float_;
+  SupportFunctionOf<typename CoreHolder<Core1>::Set::Core> plain_1_{ours_.set_1()};
+  SupportFunctionOf<typename CoreHolder<Core2>::Set::Core> plain_2_{ours_.set_2()};
   PlainState<L> plain_state_;
 };
 

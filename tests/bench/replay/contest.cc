@@ -1,0 +1,137 @@
+#include "bench/replay/contest.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "bench/replay/bullet_peers.h"
+#include "bench/replay/fcl_peer.h"
+#include "bench/replay/ours_peer.h"
+#include "bench/replay/referee.h"
+
+namespace dgd_bench {
+namespace {
+
+constexpr auto kWarm = SpeedQuestion::Start::kWarm;
+
+std::unique_ptr<SpeedPair<3>> MakeGrowth(const dgd_test::SetNumbers& set_1, const dgd_test::SetNumbers& set_2) try {
+  return MakeSpeedPair<3>(set_1, set_2);
+} catch (const std::invalid_argument&) {
+  return nullptr;
+}
+
+MethodSample SampleOf(const SpeedAnswer& answer, const Referee& referee) {
+  MethodSample sample;
+  sample.iterations = answer.iterations;
+  sample.relative_gap = answer.relative_gap;
+  sample.primal_infeasibility = answer.primal_infeasibility;
+  sample.dual_infeasibility = answer.dual_infeasibility;
+  sample.is_wrong = (referee.AreApart() && answer.upper_bound < 1) || (referee.Overlap() && answer.lower_bound > 1);
+  sample.is_failure = answer.is_failure;
+  return sample;
+}
+
+MethodSample SampleOf(const std::optional<SeparationAnswer>& answer, bool answers_apart, const Referee& referee) {
+  MethodSample sample;
+  if (!answer) {
+    sample.is_missing = answers_apart || referee.Overlap();
+    return sample;
+  }
+  const SeparationErrors errors = referee.Judge(*answer);
+  sample.normal_error = errors.normal;
+  sample.depth_error = errors.depth;
+  sample.witness_error = errors.witness;
+  sample.is_wrong = errors.is_wrong;
+  return sample;
+}
+
+}  // namespace
+
+bool ContestMethod::IsWarm() const {
+  const auto* question = std::get_if<SpeedQuestion>(&how);
+  return is_warm_peer || (question != nullptr && question->start == kWarm);
+}
+
+double ContestMethod::Tolerance() const {
+  const auto* question = std::get_if<SpeedQuestion>(&how);
+  return question != nullptr ? question->tolerance : 0;
+}
+
+const std::vector<ContestMethod>& AllContestMethods() {
+  using enum SpeedMethod;
+  static const bool kIsDouble = std::string(BulletPrecision()) == "double";
+  static const std::vector<ContestMethod> kMethods = {
+      {"bullet_gjk_epa", kIsDouble ? "Bullet GJK/EPA, double" : "Bullet GJK/EPA, float", MakeBulletGjkEpa},
+      {"bullet_mpr", kIsDouble ? "Bullet MPR, double" : "Bullet MPR, float", MakeBulletMpr, false, false},
+      {"fcl", "FCL (libccd), double", MakeFclPeer},
+      {"signed_distance", "ours, signed distance", MakeOursPeer},
+      {"signed_distance_warm", "ours, signed distance, warm", MakeOursWarmPeer, true},
+      {"plain", "paper's algorithm, plain", SpeedQuestion{.method = kPlain}},
+      {"plain_warm", "paper's algorithm, plain, warm", SpeedQuestion{.method = kPlain, .start = kWarm}},
+      {"growth", "ours", SpeedQuestion{}},
+      {"growth_warm", "ours, warm", SpeedQuestion{.start = kWarm}},
+      {"growth_float", "ours, float", SpeedQuestion{.method = kOursFloat}},
+      {"growth_float_warm", "ours, float, warm", SpeedQuestion{.method = kOursFloat, .start = kWarm}},
+      {"growth_1e-3", "ours, gap 1e-3", SpeedQuestion{.tolerance = 1e-3}},
+      {"growth_1e-12", "ours, gap 1e-12", SpeedQuestion{.tolerance = 1e-12}},
+      {"growth_no_rounding", "ours, radii in the support", SpeedQuestion{.rounding = false}},
+      {"growth_no_second_order", "ours, no second-order steps", SpeedQuestion{.second_order = false}},
+  };
+  return kMethods;
+}
+
+ContestPair::ContestPair(const dgd_test::SetNumbers& set_1, const dgd_test::SetNumbers& set_2,
+                         const std::vector<const ContestMethod*>& methods)
+    : methods_(methods), growth_(MakeGrowth(set_1, set_2)), judged_({set_1, set_2, {}, {}}) {
+  for (const ContestMethod* method : methods) {
+    const auto* make = std::get_if<MakePeer>(&method->how);
+    peers_.push_back(make != nullptr ? (*make)(set_1, set_2) : nullptr);
+  }
+}
+
+void ContestPair::MoveTo(const PairTurn& turn) {
+  judged_.MoveTo(turn.pose_1, turn.pose_2);
+  for (const auto& peer : peers_) {
+    if (peer != nullptr) peer->MoveTo(turn);
+  }
+  if (growth_ == nullptr) return;
+  // Warm starts know the pair's relative pose alone: set 2 is where set 1 would have seen it.
+  const Eigen::Matrix3d rotation = turn.pose_1.rotation * turn.last_pose_1.rotation.transpose();
+  const dgd_test::PoseNumbers seen_2{
+      rotation * turn.last_pose_2.rotation,
+      turn.pose_1.translation + rotation * (turn.last_pose_2.translation - turn.last_pose_1.translation)};
+  growth_->MoveTo(turn.pose_1, seen_2, turn.pose_2);
+}
+
+bool ContestPair::Takes(std::size_t method) const {
+  return peers_[method] != nullptr ||
+         (growth_ != nullptr && std::holds_alternative<SpeedQuestion>(methods_[method]->how));
+}
+
+std::vector<MethodSample> ContestPair::Measure(int rounds, int repeats) const {
+  std::vector<double> least(methods_.size(), std::numeric_limits<double>::infinity());
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t m = 0; m < methods_.size(); ++m) {
+      if (Takes(m)) least[m] = std::min(least[m], Time(m, repeats));
+    }
+  }
+  const Referee referee(judged_);
+  std::vector<MethodSample> samples(methods_.size());
+  for (std::size_t m = 0; m < methods_.size(); ++m) {
+    if (!Takes(m)) continue;
+    if (peers_[m] != nullptr) {
+      samples[m] = SampleOf(peers_[m]->Ask(), methods_[m]->answers_apart, referee);
+    } else {
+      samples[m] = SampleOf(growth_->Judge(std::get<SpeedQuestion>(methods_[m]->how)), referee);
+    }
+    samples[m].microseconds = least[m];
+  }
+  return samples;
+}
+
+double ContestPair::Time(std::size_t method, int repeats) const {
+  if (peers_[method] != nullptr) return peers_[method]->Time(repeats);
+  return growth_->Time(std::get<SpeedQuestion>(methods_[method]->how), repeats);
+}
+
+}  // namespace dgd_bench

@@ -1,0 +1,303 @@
+// narrowphase_replay: every method on the pairs that a narrowphase was asked about, time beside error. See --help.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <variant>
+#include <vector>
+
+#include "bench/method_figures.h"
+#include "bench/replay/bullet_peers.h"
+#include "bench/replay/contest.h"
+#include "bench/replay/recorded_pairs.h"
+#include "dgd_bullet/record_file.h"
+#include "program_main.h"
+#include "report/progress_bar.h"
+
+namespace dgd_bench {
+namespace {
+
+constexpr const char* kDescription =
+    R"(Asks every method about the same recorded pairs, in the order of the record: ours, the paper's algorithm,
+Bullet's GJK/EPA and MPR, FCL. Times each, and has its answer judged by what belongs to none of them: growth
+distances by their certificate, signed distances by planes and points of the sets' support functions.)";
+
+constexpr const char* kFooter = R"(
+Examples:
+  polytope_drop --record --no-snapshots --out out
+  narrowphase_replay out/builtin.rec            what fifty falling polytopes ask, Bullet in float
+  narrowphase_replay_float64 out/builtin.rec    the same, Bullet in double
+  narrowphase_replay out/builtin.rec --pair 81234
+                                                one of them alone: its numbers, and each method's answer
+
+A record of your own app: dgd_bullet/recorder.h.
+
+Rows:     the methods; growth distance and signed distance are two problems. Warm is from the answer to the
+          pair's last recorded pose; pairs without one are not asked about.
+Columns:  pairs that the method takes; times of a query in us, each the least of --rounds means of --repeats,
+          percentiles by nearest rank; p50 over that of Bullet's GJK/EPA. Of growth distances the worst
+          relative gap and primal infeasibility, of signed distances the error of the normal (how much longer a
+          way it takes to part the sets along it) and of the depth along it: 99 % and worst. Wrong yes/no
+          answers, answers missing, queries that did not converge; and the pair with the worst error.
+
+Exit status: 0; 1 a wrong answer or none from ours; 2 wrong command line, or no record; 3 the record is damaged
+or not complete: what there is of it was replayed.)";
+
+enum ReplayStatus { kReplayed = 0, kOursFailed = 1, kBadInput = 2, kDamagedRecord = 3 };
+
+struct Options {
+  std::string record;
+  std::vector<std::string> methods;  // Empty for all.
+  int pairs = 20'000;
+  int rounds = 3, repeats = 5;
+  std::filesystem::path csv;
+  std::optional<std::int64_t> pair;
+};
+
+std::variant<Options, ReplayStatus> ParseCommandLine(int argc, const char* const* argv) {
+  constexpr int kMost = 100'000'000;
+  Options options;
+  std::vector<std::string> keys;
+  for (const ContestMethod& method : AllContestMethods()) keys.emplace_back(method.key);
+  CLI::App app(kDescription, "narrowphase_replay");
+  app.footer(kFooter);
+  app.get_formatter()->column_width(26);
+  app.add_option("record", options.record, "The record")->required()->type_name("FILE");
+  const auto count = [&](const char* name, int& value, const char* what) {
+    app.add_option(name, value, what)
+        ->type_name("N")
+        ->check(CLI::Range(1, kMost).description(""))
+        ->capture_default_str();
+  };
+  app.add_option("--methods", options.methods, "Some of the methods, by their names in the CSV file")
+      ->type_name("A,B")
+      ->delimiter(',')
+      ->check(CLI::IsMember(keys));
+  count("--pairs", options.pairs, "Pairs, spread evenly over the record");
+  count("--rounds", options.rounds, "Turns of all methods, of which each one's least mean counts");
+  count("--repeats", options.repeats, "Queries in a row, of which the mean is taken");
+  app.add_option("--csv", options.csv, "Write the figures to this file")->type_name("FILE");
+  app.add_option("--pair", options.pair, "Only the pair of this index")
+      ->type_name("INDEX")
+      ->check(CLI::NonNegativeNumber.description(""));
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& end) {
+    return app.exit(end, std::cout, std::cerr) == 0 ? kReplayed : kBadInput;
+  }
+  return options;
+}
+
+using Methods = std::vector<const ContestMethod*>;
+
+Methods MethodsOf(const Options& options) {
+  Methods methods;
+  for (const ContestMethod& method : AllContestMethods()) {
+    if (options.methods.empty() || std::ranges::count(options.methods, method.key) > 0) methods.push_back(&method);
+  }
+  return methods;
+}
+
+/// A pair of the record that was asked about before.
+struct Turn {
+  std::size_t index, last_index;
+};
+
+/// All that have a last pose; with the same two shapes, since bodies may change theirs.
+std::vector<Turn> TurnsOf(const dgd_bullet::Record& record) {
+  std::vector<Turn> turns;
+  std::unordered_map<std::uint32_t, std::size_t> last;
+  for (std::size_t i = 0; i < record.pairs.size(); ++i) {
+    const dgd_bullet::RecordedPair& pair = record.pairs[i];
+    const auto [place, is_new] = last.try_emplace(pair.body_pair, i);
+    if (is_new) continue;
+    const dgd_bullet::RecordedPair& before = record.pairs[place->second];
+    if (before.shape_1 == pair.shape_1 && before.shape_2 == pair.shape_2) turns.push_back({i, place->second});
+    place->second = i;
+  }
+  return turns;
+}
+
+std::vector<Turn> SpreadOver(const std::vector<Turn>& turns, std::size_t most) {
+  if (turns.size() <= most) return turns;
+  std::vector<Turn> chosen;
+  for (std::size_t i = 0; i < most; ++i) chosen.push_back(turns[i * turns.size() / most]);
+  return chosen;
+}
+
+class Replay {
+ public:
+  Replay(const dgd_bullet::Record& record, const Options& options)
+      : record_(record), options_(options), methods_(MethodsOf(options)), figures_(methods_.size()) {
+    for (const dgd_bullet::RecordedShape& shape : record.shapes) sets_.push_back(SetFrom(shape));
+  }
+
+  const Methods& methods() const { return methods_; }
+
+  /// One sample a method.
+  std::vector<MethodSample> Ask(const Turn& turn) {
+    const dgd_bullet::RecordedPair &now = record_.pairs[turn.index], &last = record_.pairs[turn.last_index];
+    const auto [place, is_new] =
+        pairs_.try_emplace({now.shape_1, now.shape_2}, sets_[now.shape_1], sets_[now.shape_2], methods_);
+    ContestPair& pair = place->second;
+    pair.MoveTo({PoseFrom(last.pose_1), PoseFrom(last.pose_2), PoseFrom(now.pose_1), PoseFrom(now.pose_2)});
+    std::vector<MethodSample> samples = pair.Measure(options_.rounds, options_.repeats);
+    for (std::size_t m = 0; m < methods_.size(); ++m) {
+      if (pair.Takes(m)) figures_[m].Take(samples[m], static_cast<std::int64_t>(turn.index));
+    }
+    return samples;
+  }
+
+  std::vector<MethodSummary> Summarize() const {
+    std::vector<MethodSummary> summaries;
+    for (const MethodFigures& figures : figures_) summaries.push_back(figures.Summarize());
+    return summaries;
+  }
+
+  /// All numbers of one pair.
+  std::string Dump(std::size_t index) const {
+    const dgd_bullet::RecordedPair& pair = record_.pairs[index];
+    return dgd_test::Dump({sets_[pair.shape_1], sets_[pair.shape_2], PoseFrom(pair.pose_1), PoseFrom(pair.pose_2)});
+  }
+
+ private:
+  const dgd_bullet::Record& record_;
+  const Options& options_;
+  const Methods methods_;
+  std::vector<dgd_test::SetNumbers> sets_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, ContestPair> pairs_;  // By shapes: bodies share them.
+  std::vector<MethodFigures> figures_;
+};
+
+void PrintNumber(const char* format, int width, double number) {
+  if (std::isnan(number)) {
+    std::printf("%*s", width, "");
+  } else {
+    std::printf(format, number);
+  }
+}
+
+void Print(const Methods& methods, const std::vector<MethodSummary>& summaries) {
+  std::printf("%-32s%8s%8s%8s%9s%8s%7s%10s%10s%10s%10s%10s%7s%8s%8s%10s\n", "", "pairs", "p50", "p99", "p99.99", "mean",
+              "ratio", "gap max", "primal", "norm. p99", "norm. max", "depth max", "wrong", "missing", "failed",
+              "worst");
+  double yardstick = MethodSample::kNone;
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    if (std::string(methods[m]->key) == "bullet_gjk_epa") yardstick = summaries[m].p50;
+  }
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    const MethodSummary& summary = summaries[m];
+    std::printf("%-32s", methods[m]->title);
+    if (summary.pairs == 0) {
+      std::printf("unsupported\n");
+      continue;
+    }
+    std::printf("%8zu%8.3f%8.3f%9.3f%8.3f", summary.pairs, summary.p50, summary.p99, summary.p9999, summary.mean);
+    PrintNumber("%7.2f", 7, summary.p50 / yardstick);
+    const ErrorFigure &gap = summary.Of(ErrorKind::kGap), &normal = summary.Of(ErrorKind::kNormal);
+    PrintNumber("%10.1e", 10, gap.most);
+    PrintNumber("%10.1e", 10, summary.Of(ErrorKind::kPrimal).most);
+    PrintNumber("%10.1e", 10, normal.p99);
+    PrintNumber("%10.1e", 10, normal.most);
+    PrintNumber("%10.1e", 10, summary.Of(ErrorKind::kDepth).most);
+    std::printf("%7lld%8lld%8lld", static_cast<long long>(summary.wrong), static_cast<long long>(summary.missing),
+                static_cast<long long>(summary.failures));
+    const std::int64_t worst = std::max(gap.worst_pair, normal.worst_pair);
+    if (worst >= 0) std::printf("%10lld", static_cast<long long>(worst));
+    std::printf("\n");
+  }
+}
+
+void PrintOne(const Methods& methods, const std::vector<MethodSample>& samples) {
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    const MethodSample& sample = samples[m];
+    std::printf("%-32s", methods[m]->title);
+    if (std::isnan(sample.microseconds)) {
+      std::printf("unsupported\n");
+      continue;
+    }
+    std::printf("%8.3f us", sample.microseconds);
+    PrintNumber(", %g iterations", 0, sample.iterations);
+    PrintNumber(", gap %.1e", 0, sample.relative_gap);
+    PrintNumber(", primal infeasibility %.1e m", 0, sample.primal_infeasibility);
+    PrintNumber(", normal off by %.1e m", 0, sample.normal_error);
+    PrintNumber(", depth by %.1e m", 0, sample.depth_error);
+    PrintNumber(", points outside by %.1e m", 0, sample.witness_error);
+    std::printf("%s%s%s\n", sample.is_wrong ? ", wrong" : "", sample.is_missing ? ", no answer" : "",
+                sample.is_failure ? ", not converged" : "");
+  }
+}
+
+/// Whether one of ours answered wrongly or not at all.
+bool HasOursFailed(const Methods& methods, const std::vector<MethodSummary>& summaries) {
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    const std::string title = methods[m]->title;
+    if (title.starts_with("ours") && summaries[m].wrong + summaries[m].missing > 0) return true;
+  }
+  return false;
+}
+
+ReplayStatus Run(const Options& options) {
+  const dgd_bullet::Record record = dgd_bullet::ReadRecord(options.record);
+  if (record.problem) std::fprintf(stderr, "%s\n", record.problem->c_str());
+  std::vector<Turn> turns = TurnsOf(record);
+  std::printf("%s: %zu shapes, %zu pairs (%zu of them not for the first time), recorded with Bullet in %s\n",
+              options.record.c_str(), record.shapes.size(), record.pairs.size(), turns.size(),
+              record.real_bytes == sizeof(double) ? "double" : "float");
+  if (record.left_out > 0) {
+    std::printf("%llu pairs were left out of the record\n", static_cast<unsigned long long>(record.left_out));
+  }
+  Replay replay(record, options);
+  if (options.pair) {
+    const auto index = static_cast<std::size_t>(*options.pair);
+    if (index >= record.pairs.size()) {
+      std::fprintf(stderr, "--pair %zu: the record has %zu pairs\n", index, record.pairs.size());
+      return kBadInput;
+    }
+    const auto found = std::ranges::find(turns, index, &Turn::index);
+    const Turn turn = found != turns.end() ? *found : Turn{index, index};
+    const dgd_bullet::RecordedPair& pair = record.pairs[index];
+    std::printf("pair %zu, step %llu, bodies' pair %u, last asked about as pair %zu\n%s\n", index,
+                static_cast<unsigned long long>(pair.step), pair.body_pair, turn.last_index,
+                replay.Dump(index).c_str());
+    PrintOne(replay.methods(), replay.Ask(turn));
+    return record.problem ? kDamagedRecord : kReplayed;
+  }
+
+  turns = SpreadOver(turns, static_cast<std::size_t>(options.pairs));
+  std::printf("%zu pairs, Bullet linked in %s; times in us, errors in m\n", turns.size(), BulletPrecision());
+  {
+    dgd_demos::ProgressBar progress("replaying", 1);
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+      replay.Ask(turns[i]);
+      progress.Update(double(i + 1) / double(turns.size()));
+    }
+  }
+  const std::vector<MethodSummary> summaries = replay.Summarize();
+  Print(replay.methods(), summaries);
+  if (!options.csv.empty()) {
+    FiguresCsv csv(options.csv);
+    const std::string work = std::filesystem::path(options.record).stem().string();
+    for (std::size_t m = 0; m < summaries.size(); ++m) {
+      const ContestMethod& method = *replay.methods()[m];
+      csv.Write({work, method.key, method.title, method.IsWarm(), method.Tolerance()}, summaries[m]);
+    }
+  }
+  if (record.problem) return kDamagedRecord;
+  return HasOursFailed(replay.methods(), summaries) ? kOursFailed : kReplayed;
+}
+
+}  // namespace
+}  // namespace dgd_bench
+
+int main(int argc, char** argv) {
+  return dgd_demos::RunProgram(dgd_bench::ParseCommandLine(argc, argv), dgd_bench::Run);
+}

@@ -1,0 +1,133 @@
+#include "bench/replay/ours_peer.h"
+
+#include <limits>
+#include <utility>
+
+#include "bench/stopwatch.h"
+#include "pair_distance.h"
+#include "pair_solver.h"
+
+namespace dgd_bench {
+namespace {
+
+using dgd_test::SetNumbers;
+using dgd_test::SetType;
+
+/// A set of the plugin's, and the hull that it refers to.
+struct OwnedShape {
+  std::shared_ptr<const dgd::Polytope<double>> hull;
+  std::optional<dgd_bullet::ShapeSet> set;  ///< Nothing for what Bullet has no shape for.
+};
+
+OwnedShape MakeShape(const SetNumbers& numbers) {
+  const auto& lengths = numbers.lengths;
+  const auto rounded = [&](auto core) -> OwnedShape {
+    return {nullptr, dgd::RoundedSet<decltype(core)>{std::move(core), numbers.radius}};
+  };
+  switch (numbers.type) {
+    case SetType::kPoint:
+      return rounded(dgd::Point<double>());
+    case SetType::kSegment:
+      return rounded(dgd::Segment<double>(lengths[0]));
+    case SetType::kTriangle:
+      return rounded(dgd::Triangle<double>(numbers.points[0], numbers.points[1], numbers.points[2]));
+    case SetType::kBox:
+      return rounded(dgd::Box<double>(lengths));
+    case SetType::kCylinder:
+      return rounded(dgd::Cylinder<double>(lengths[0], lengths[1]));
+    case SetType::kCone:
+      return rounded(dgd::Cone<double>(lengths[0], lengths[1]));
+    case SetType::kPolytope:
+    case SetType::kMesh: {
+      auto hull = std::make_shared<const dgd::Polytope<double>>(numbers.points);
+      OwnedShape shape = rounded(dgd::CoreReference(*hull));
+      shape.hull = std::move(hull);
+      return shape;
+    }
+    default:
+      return {};
+  }
+}
+
+/// What the plugin keeps of a pair from step to step.
+struct PairMemory {
+  dgd::WarmStart<double> warm_start;
+  bool may_be_apart = true;
+};
+
+class OursPeer : public Peer {
+ public:
+  OursPeer(OwnedShape shape_1, OwnedShape shape_2, bool is_warm)
+      : hull_1_(std::move(shape_1.hull)),
+        hull_2_(std::move(shape_2.hull)),
+        posed_1_{*shape_1.set, {}},
+        posed_2_{*shape_2.set, {}},
+        is_warm_(is_warm) {}
+
+  void MoveTo(const PairTurn& turn) override {
+    if (is_warm_) {
+      Place(turn.last_pose_1, turn.last_pose_2);
+      memory_ = {};
+      Solve(memory_);
+    }
+    Place(turn.pose_1, turn.pose_2);
+  }
+
+  double Time(int repeats) const override {
+    return MeanMicroseconds(repeats, [this] {
+      PairMemory memory = memory_;  // Each repeat is the same query again.
+      Keep(Solve(memory));
+      Keep(memory);
+    });
+  }
+
+  std::optional<SeparationAnswer> Ask() const override {
+    PairMemory memory = memory_;
+    const dgd::Result<double> result = Solve(memory);
+    if (result.status != dgd::Status::kOptimal && result.status != dgd::Status::kCoincidentCenters) return std::nullopt;
+    return SeparationAnswer{result.normal, result.separation, result.witness_1, result.witness_2};
+  }
+
+ private:
+  void Place(const dgd_test::PoseNumbers& pose_1, const dgd_test::PoseNumbers& pose_2) {
+    posed_1_.pose = {pose_1.rotation, pose_1.translation};
+    posed_2_.pose = {pose_2.rotation, pose_2.translation};
+  }
+
+  dgd::Result<double> Solve(PairMemory& memory) const {
+    dgd_bullet::PosedShape shape_1 = posed_1_, shape_2 = posed_2_;  // Their centres may move.
+    dgd_bullet::MoveCentersTogether(shape_1, shape_2);
+    constexpr dgd::Settings<double> kSettings;
+    dgd::Result<double> result;
+    if (is_warm_ && memory.may_be_apart &&
+        dgd_bullet::FollowDistance(shape_1, shape_2, kSettings, memory.warm_start, result)) {
+      return result;
+    }
+    result = dgd_bullet::SolvePair(shape_1, shape_2, kSettings, memory.warm_start);
+    memory.may_be_apart = dgd_bullet::TurnToLeastTranslation(shape_1, shape_2, kSettings, memory.warm_start, result);
+    return result;
+  }
+
+  std::shared_ptr<const dgd::Polytope<double>> hull_1_, hull_2_;
+  dgd_bullet::PosedShape posed_1_, posed_2_;
+  bool is_warm_;
+  PairMemory memory_;
+};
+
+std::unique_ptr<Peer> Make(const SetNumbers& set_1, const SetNumbers& set_2, bool is_warm) {
+  OwnedShape shape_1 = MakeShape(set_1), shape_2 = MakeShape(set_2);
+  if (!shape_1.set || !shape_2.set) return nullptr;
+  return std::make_unique<OursPeer>(std::move(shape_1), std::move(shape_2), is_warm);
+}
+
+}  // namespace
+
+std::unique_ptr<Peer> MakeOursPeer(const SetNumbers& set_1, const SetNumbers& set_2) {
+  return Make(set_1, set_2, false);
+}
+
+std::unique_ptr<Peer> MakeOursWarmPeer(const SetNumbers& set_1, const SetNumbers& set_2) {
+  return Make(set_1, set_2, true);
+}
+
+}  // namespace dgd_bench
