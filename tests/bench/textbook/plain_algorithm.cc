@@ -1,8 +1,6 @@
 #include "bench/textbook/plain_algorithm.h"
 
-#include <Eigen/LU>
-#include <limits>
-
+#include "bench/textbook/ray_basis.h"
 #include "bench/textbook/ray_query.h"
 
 namespace dgd_bench {
@@ -12,77 +10,52 @@ template <int L>
 class PlainQuery {
  public:
   using Vector = dgd::Vector<double, L>;
-  using Matrix = dgd::SquareMatrix<double, L>;
   using Pose = dgd::Pose<double, L>;
-  using Point = typename RayQuery<L>::Point;
 
   PlainQuery(const SupportFunction<L>& set_1, const Pose& pose_1, const SupportFunction<L>& set_2, const Pose& pose_2,
              double tolerance)
-      : ray_(set_1, pose_1, set_2, pose_2, tolerance), basis_(ray_.InitialFacet()) {
-    SolveBasis();
-    normal_ = ray_.P() / ray_.P().template lpNorm<Eigen::Infinity>();
+      : ray_(set_1, pose_1, set_2, pose_2, tolerance),
+        basis_(ray_.P(), ray_.InitialFacet()),
+        normal_(ray_.P() / ray_.P().template lpNorm<Eigen::Infinity>()) {
+    ray_.SetLower(basis_.Lower());
   }
 
   void WarmStart(const PlainState<L>& state) {
-    for (int i = 0; i < L; ++i) Insert(ray_.FromPoints(state.points_1.col(i), state.points_2.col(i)));
-    TakeNormalOfBasis();
+    for (int i = 0; i < L; ++i) basis_.Insert(ray_.FromPoints(state.points_1.col(i), state.points_2.col(i)));
+    TakeBasis();
   }
 
   /// Alg. 2.
   void Update() {
-    Insert(ray_.Support(normal_));
-    TakeNormalOfBasis();
+    basis_.Insert(ray_.Support(normal_));
+    TakeBasis();
   }
 
   const RayQuery<L>& Ray() const { return ray_; }
 
-  dgd::Result<double, L> MakeResult(int iterations) const { return ray_.MakeResult(basis_, weights_, iterations); }
+  dgd::Result<double, L> MakeResult(int iterations) const {
+    return ray_.MakeResult(basis_.Facet(), basis_.Weights(), iterations);
+  }
 
   void Remember(PlainState<L>& state) const {
     state.is_empty = false;
     for (int i = 0; i < L; ++i) {
-      const Point point{basis_.of_c.col(i), basis_.of_1.col(i)};
+      const RayPoint<L> point{basis_.Facet().of_c.col(i), basis_.Facet().of_1.col(i)};
       state.points_1.col(i) = ray_.Point1(point);
       state.points_2.col(i) = ray_.Point2(point);
     }
   }
 
  private:
-  /// One step of the simplex method: the point comes in, the first that the ratio test names goes out. With all but the
-  /// basis pruned, the second step finds nothing to do.
-  void Insert(const Point& point) {
-    // Its cost is 1: it enters where the basis would pay more for it.
-    const Vector of_point = inverse_ * point.of_c;
-    if (of_point.sum() <= 1) return;
-    int outgoing = -1;
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < L; ++i) {
-      if (of_point[i] > 0 && weights_[i] / of_point[i] < least) {
-        least = weights_[i] / of_point[i];
-        outgoing = i;
-      }
-    }
-    if (outgoing < 0) return;
-    basis_.SetCorner(outgoing, point);
-    SolveBasis();
-  }
-
-  void SolveBasis() {
-    inverse_ = basis_.of_c.inverse();
-    weights_ = inverse_ * ray_.P();
-    ray_.SetLower(1 / weights_.sum());
-  }
-
-  /// Eq. (normal-vector), to unit length in the maximum norm.
-  void TakeNormalOfBasis() {
-    normal_ = inverse_.transpose() * Vector::Ones();
+  /// The bound, and the normal to unit length in the maximum norm.
+  void TakeBasis() {
+    ray_.SetLower(basis_.Lower());
+    normal_ = basis_.Normal();
     normal_ /= normal_.template lpNorm<Eigen::Infinity>();
   }
 
   RayQuery<L> ray_;
-  typename RayQuery<L>::Facet basis_;
-  Matrix inverse_;  // Of the basis.
-  Vector weights_;  // Conic, of p.
+  RayBasis<L> basis_;
   Vector normal_;
 };
 

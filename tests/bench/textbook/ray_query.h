@@ -3,13 +3,11 @@
 // the two bounds on its length in C.
 #pragma once
 
-#include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "bench/textbook/ray_facet.h"
 #include "bench/textbook/support_function.h"
 #include "dgd/query_types.h"
-#include "dgd/ray/minkowski_difference.h"
 
 namespace dgd_bench {
 
@@ -23,19 +21,8 @@ class RayQuery {
   using Matrix = dgd::SquareMatrix<double, L>;
   using Pose = dgd::Pose<double, L>;
 
-  /// A point of C, and the point of set 1 that it comes from.
-  struct Point {
-    Vector of_c, of_1;
-  };
-  /// As many of them as span a facet, as columns.
-  struct Facet {
-    Matrix of_c, of_1;
-
-    void SetCorner(int i, const Point& point) {
-      of_c.col(i) = point.of_c;
-      of_1.col(i) = point.of_1;
-    }
-  };
+  using Point = RayPoint<L>;
+  using Facet = RayFacet<L>;
 
   /// The sets and poses must outlive this.
   RayQuery(const SupportFunction<L>& set_1, const Pose& pose_1, const SupportFunction<L>& set_2, const Pose& pose_2,
@@ -51,22 +38,8 @@ class RayQuery {
 
   const Vector& P() const { return p_; }
 
-  /// Alg. 1: a facet across the ray with its corners on the ball of the inradius; counterclockwise seen along -p.
-  Facet InitialFacet() const {
-    const double inradius_1 = set_1_.Inradius(), inradius = inradius_1 + set_2_.Inradius();
-    const Matrix frame = dgd::FrameAlong<double>(Vector(p_.normalized()));
-    const double sine = std::sqrt(3.0) / 2;
-    Facet facet;
-    for (int i = 0; i < L; ++i) {
-      Vector corner = Vector::Constant(0.5);
-      const double turn = 2 * std::numbers::pi * i / L;
-      corner[0] = sine * std::cos(turn);
-      if constexpr (L == 3) corner[1] = sine * std::sin(turn);
-      facet.of_c.col(i) = inradius * (frame * corner);
-      facet.of_1.col(i) = inradius_1 / inradius * facet.of_c.col(i);
-    }
-    return facet;
-  }
+  /// Alg. 1.
+  Facet InitialFacet() const { return dgd_bench::InitialFacet<L>(p_, set_1_.Inradius(), set_2_.Inradius()); }
 
   /// The support point of C, and what its plane says of the ray's length (eq. ray-intersection-upper-bound).
   /// @param normal  Of any length but 0.
