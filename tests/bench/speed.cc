@@ -15,6 +15,7 @@
 
 #include "bench/class_options.h"
 #include "bench/exit_status.h"
+#include "bench/growth_methods.h"
 #include "bench/percentile.h"
 #include "bench/speed_pair.h"
 #include "program_main.h"
@@ -88,7 +89,6 @@ struct RowKind {
   SpeedQuestion question;
 };
 
-constexpr auto kWarmStart = SpeedQuestion::Start::kWarm;
 /// Ours, each followed by its yardstick.
 constexpr std::array kRowKinds = {
     RowKind{"cold", {.method = SpeedMethod::kOurs}},

@@ -11,7 +11,12 @@ namespace dgd_bench {
 enum class SpeedMethod : std::uint8_t {
   kOurs,
   kOursFloat,  ///< The same in float, poses and sets rounded to it.
-  kPlain,      ///< The paper's algorithm as printed (bench/textbook/plain_algorithm.h).
+  // The yardsticks, in bench/textbook/ each.
+  kPlain,              ///< The paper's algorithm as printed.
+  kInternalExpanding,  ///< IE: cold alone.
+  kIncremental,        ///< Inc: of solid polytopes without margins, to rounding error.
+  kContactFeatures,    ///< DCF: of sets whose support functions are smooth; cold alone.
+  kConic,              ///< DCol: of primitives and hulls; cold alone.
 };
 
 /// What is asked, and of whom.
@@ -50,6 +55,8 @@ class SpeedPair {
   /// @param last_pose_2  Of set 2 at the query before: where warm starts come from.
   virtual void MoveTo(const dgd_test::PoseNumbers& pose_1, const dgd_test::PoseNumbers& last_pose_2,
                       const dgd_test::PoseNumbers& pose_2) = 0;
+  /// Whether the method has an answer for such sets, and to such a question.
+  virtual bool Takes(const SpeedQuestion& question) const = 0;
   virtual double Time(const SpeedQuestion& question, int repeats) const = 0;  ///< Mean of so many in a row, us.
   virtual SpeedAnswer Judge(const SpeedQuestion& question) const = 0;
 };

@@ -9,7 +9,7 @@
 
 #include "bench/speed_pair.h"
 #include "bench/stopwatch.h"
-#include "bench/textbook/plain_algorithm.h"
+#include "bench/yardsticks.h"
 #include "dgd/certificate.h"
 #include "dgd/growth_distance.h"
 #include "support/extent.h"
@@ -128,10 +128,20 @@ class TypedSpeedPair final : public SpeedPair<dgd::kDimension<Core1>> {
     ours_.Remember();
     ours_float_.MoveTo(pose_1, last_pose_2);
     ours_float_.Remember();
-    plain_state_ = {};
-    PlainGrowthDistance(plain_1_, ours_.pose_1(), plain_2_, ours_.pose_2(), &plain_state_);
+    yardsticks_.Remember(ours_.pose_1(), ours_.pose_2());
     ours_.MoveTo(pose_1, pose_2);
     ours_float_.MoveTo(pose_1, pose_2);
+  }
+
+  bool Takes(const SpeedQuestion& question) const override {
+    switch (question.method) {
+      case SpeedMethod::kOurs:
+        return true;
+      case SpeedMethod::kOursFloat:
+        return !question.is_check;
+      default:
+        return yardsticks_.Takes(question);
+    }
   }
 
   double Time(const SpeedQuestion& question, int repeats) const override {
@@ -145,28 +155,15 @@ class TypedSpeedPair final : public SpeedPair<dgd::kDimension<Core1>> {
  private:
   template <class Use>
   auto Ask(const SpeedQuestion& question, const Use& use) const {
-    const bool is_warm = question.start == SpeedQuestion::Start::kWarm;
     switch (question.method) {
       case SpeedMethod::kOurs:
         if (question.is_check) return use([this] { return ours_.Check(); });
         return AskSolver(ours_, question, use);
       case SpeedMethod::kOursFloat:
         return AskSolver(ours_float_, question, use);
-      case SpeedMethod::kPlain:
-        break;
+      default:
+        return yardsticks_.Ask(question, ours_.pose_1(), ours_.pose_2(), use);
     }
-    if (question.is_check) {
-      return use([this] { return PlainCollision(plain_1_, ours_.pose_1(), plain_2_, ours_.pose_2()); });
-    }
-    const double tolerance = question.tolerance > 0 ? question.tolerance : dgd::kSqrtEpsilon<double>;
-    return use([=, this] {
-      PlainState<L> state;
-      if (is_warm) state = plain_state_;
-      const Result result = PlainGrowthDistance(plain_1_, ours_.pose_1(), plain_2_, ours_.pose_2(),
-                                                is_warm ? &state : nullptr, tolerance);
-      Keep(state);
-      return result;
-    });
   }
 
   template <class Side, class Use>
@@ -225,9 +222,8 @@ class TypedSpeedPair final : public SpeedPair<dgd::kDimension<Core1>> {
 
   SolverSide<Core1, Core2> ours_;
   SolverSide<typename FloatCore<Core1>::Type, typename FloatCore<Core2>::Type> ours_float_;
-  SupportFunctionOf<typename CoreHolder<Core1>::Set::Core> plain_1_{ours_.set_1()};
-  SupportFunctionOf<typename CoreHolder<Core2>::Set::Core> plain_2_{ours_.set_2()};
-  PlainState<L> plain_state_;
+  Yardsticks<typename CoreHolder<Core1>::Set::Core, typename CoreHolder<Core2>::Set::Core> yardsticks_{ours_.set_1(),
+                                                                                                       ours_.set_2()};
 };
 
 }  // namespace dgd_bench

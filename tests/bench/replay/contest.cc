@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "bench/growth_methods.h"
 #include "bench/replay/bullet_peers.h"
 #include "bench/replay/fcl_peer.h"
 #include "bench/replay/ours_peer.h"
@@ -11,8 +12,6 @@
 
 namespace dgd_bench {
 namespace {
-
-constexpr auto kWarm = SpeedQuestion::Start::kWarm;
 
 std::unique_ptr<SpeedPair<3>> MakeGrowth(const dgd_test::SetNumbers& set_1, const dgd_test::SetNumbers& set_2) try {
   return MakeSpeedPair<3>(set_1, set_2);
@@ -49,7 +48,7 @@ MethodSample SampleOf(const std::optional<SeparationAnswer>& answer, bool answer
 
 bool ContestMethod::IsWarm() const {
   const auto* question = std::get_if<SpeedQuestion>(&how);
-  return is_warm_peer || (question != nullptr && question->start == kWarm);
+  return is_warm_peer || (question != nullptr && question->start == kWarmStart);
 }
 
 double ContestMethod::Tolerance() const {
@@ -58,25 +57,18 @@ double ContestMethod::Tolerance() const {
 }
 
 const std::vector<ContestMethod>& AllContestMethods() {
-  using enum SpeedMethod;
-  static const bool kIsDouble = std::string(BulletPrecision()) == "double";
-  static const std::vector<ContestMethod> kMethods = {
-      {"bullet_gjk_epa", kIsDouble ? "Bullet GJK/EPA, double" : "Bullet GJK/EPA, float", MakeBulletGjkEpa},
-      {"bullet_mpr", kIsDouble ? "Bullet MPR, double" : "Bullet MPR, float", MakeBulletMpr, false, false},
-      {"fcl", "FCL (libccd), double", MakeFclPeer},
-      {"signed_distance", "ours, signed distance", MakeOursPeer},
-      {"signed_distance_warm", "ours, signed distance, warm", MakeOursWarmPeer, true},
-      {"plain", "paper's algorithm, plain", SpeedQuestion{.method = kPlain}},
-      {"plain_warm", "paper's algorithm, plain, warm", SpeedQuestion{.method = kPlain, .start = kWarm}},
-      {"growth", "ours", SpeedQuestion{}},
-      {"growth_warm", "ours, warm", SpeedQuestion{.start = kWarm}},
-      {"growth_float", "ours, float", SpeedQuestion{.method = kOursFloat}},
-      {"growth_float_warm", "ours, float, warm", SpeedQuestion{.method = kOursFloat, .start = kWarm}},
-      {"growth_1e-3", "ours, gap 1e-3", SpeedQuestion{.tolerance = 1e-3}},
-      {"growth_1e-12", "ours, gap 1e-12", SpeedQuestion{.tolerance = 1e-12}},
-      {"growth_no_rounding", "ours, radii in the support", SpeedQuestion{.rounding = false}},
-      {"growth_no_second_order", "ours, no second-order steps", SpeedQuestion{.second_order = false}},
-  };
+  static const std::vector<ContestMethod> kMethods = [] {
+    const std::string of_bullet = std::string(", ") + BulletPrecision();
+    std::vector<ContestMethod> methods = {
+        {"bullet_gjk_epa", "Bullet GJK/EPA" + of_bullet, MakeBulletGjkEpa},
+        {"bullet_mpr", "Bullet MPR" + of_bullet, MakeBulletMpr, false, false},
+        {"fcl", "FCL (libccd), double", MakeFclPeer},
+        {"signed_distance", "ours, signed distance", MakeOursPeer},
+        {"signed_distance_warm", "ours, signed distance, warm", MakeOursWarmPeer, true},
+    };
+    for (const GrowthMethod& method : kGrowthMethods) methods.push_back({method.key, method.title, method.question});
+    return methods;
+  }();
   return kMethods;
 }
 
@@ -104,8 +96,9 @@ void ContestPair::MoveTo(const PairTurn& turn) {
 }
 
 bool ContestPair::Takes(std::size_t method) const {
-  return peers_[method] != nullptr ||
-         (growth_ != nullptr && std::holds_alternative<SpeedQuestion>(methods_[method]->how));
+  const auto* question = std::get_if<SpeedQuestion>(&methods_[method]->how);
+  if (question == nullptr) return peers_[method] != nullptr;
+  return growth_ != nullptr && growth_->Takes(*question);
 }
 
 std::vector<MethodSample> ContestPair::Measure(int rounds, int repeats) const {

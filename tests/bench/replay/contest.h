@@ -14,8 +14,8 @@
 namespace dgd_bench {
 
 struct ContestMethod {
-  const char* key;    ///< On the command line and in files.
-  const char* title;  ///< In tables.
+  std::string key;    ///< On the command line and in files.
+  std::string title;  ///< In tables.
   std::variant<SpeedQuestion, MakePeer> how;
   bool is_warm_peer = false;
   bool answers_apart = true;  ///< Says something of sets that are apart.

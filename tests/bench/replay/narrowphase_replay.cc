@@ -191,11 +191,11 @@ void Print(const Methods& methods, const std::vector<MethodSummary>& summaries) 
               "worst");
   double yardstick = MethodSample::kNone;
   for (std::size_t m = 0; m < methods.size(); ++m) {
-    if (std::string(methods[m]->key) == "bullet_gjk_epa") yardstick = summaries[m].p50;
+    if (methods[m]->key == "bullet_gjk_epa") yardstick = summaries[m].p50;
   }
   for (std::size_t m = 0; m < methods.size(); ++m) {
     const MethodSummary& summary = summaries[m];
-    std::printf("%-32s", methods[m]->title);
+    std::printf("%-32s", methods[m]->title.c_str());
     if (summary.pairs == 0) {
       std::printf("unsupported\n");
       continue;
@@ -219,7 +219,7 @@ void Print(const Methods& methods, const std::vector<MethodSummary>& summaries) 
 void PrintOne(const Methods& methods, const std::vector<MethodSample>& samples) {
   for (std::size_t m = 0; m < methods.size(); ++m) {
     const MethodSample& sample = samples[m];
-    std::printf("%-32s", methods[m]->title);
+    std::printf("%-32s", methods[m]->title.c_str());
     if (std::isnan(sample.microseconds)) {
       std::printf("unsupported\n");
       continue;
@@ -239,8 +239,7 @@ void PrintOne(const Methods& methods, const std::vector<MethodSample>& samples) 
 /// Whether one of ours answered wrongly or not at all.
 bool HasOursFailed(const Methods& methods, const std::vector<MethodSummary>& summaries) {
   for (std::size_t m = 0; m < methods.size(); ++m) {
-    const std::string title = methods[m]->title;
-    if (title.starts_with("ours") && summaries[m].wrong + summaries[m].missing > 0) return true;
+    if (methods[m]->title.starts_with("ours") && summaries[m].wrong + summaries[m].missing > 0) return true;
   }
   return false;
 }
