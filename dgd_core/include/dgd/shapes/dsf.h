@@ -6,6 +6,7 @@
 // at least the largest height.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <span>
 #include <stdexcept>
@@ -115,12 +116,16 @@ class Dsf {
 
     double sum = 0;
     Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& offset : offsets_) {
-      const double part = d.dot(offset) / highest;
+    [[maybe_unused]] std::array<double, kMostKeptPowers> powers;
+    for (std::size_t j = 0; j < offsets_.size(); ++j) {
+      const double part = d.dot(offsets_[j]) / highest;
       if (!(part > 0)) continue;
-      const double power = std::pow(part, exponent_ - 1);
-      sum += power * part;
-      weighted += power * offset;
+      const double power = std::pow(part, exponent_ - 2);
+      if constexpr (kWithDerivative) {
+        if (j < kMostKeptPowers) powers[j] = power;
+      }
+      sum += power * part * part;
+      weighted += power * part * offsets_[j];
     }
     const double root = std::pow(sum, 1 / exponent_);
     const Eigen::Vector3d gradient = root / sum * weighted;
@@ -128,15 +133,19 @@ class Dsf {
     if constexpr (!kWithDerivative) return curved;
 
     curved.derivative.setZero();
-    for (const Eigen::Vector3d& offset : offsets_) {
-      const double part = d.dot(offset) / highest;
+    for (std::size_t j = 0; j < offsets_.size(); ++j) {
+      const double part = d.dot(offsets_[j]) / highest;
       if (!(part > 0)) continue;
-      const Eigen::Vector3d z = root * offset - part * gradient;
-      curved.derivative += std::pow(part, exponent_ - 2) * (z * z.transpose());
+      const double power = j < kMostKeptPowers ? powers[j] : std::pow(part, exponent_ - 2);
+      const Eigen::Vector3d z = root * offsets_[j] - part * gradient;
+      curved.derivative += power * (z * z.transpose());
     }
     curved.derivative *= (exponent_ - 1) / (sum * highest * root) / length;
     return curved;
   }
+
+  /// On the stack: powers are most of the cost.
+  static constexpr std::size_t kMostKeptPowers = 64;
 
   double exponent_;
   Eigen::Vector3d origin_;
