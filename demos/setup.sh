@@ -1,10 +1,11 @@
 # shellcheck shell=sh
-# What demos/run.sh and tests/run.sh share: installing what is missing, configuring, building. Sourced by them; they set
-# `root`, the project's folder, first.
-# shellcheck disable=SC2034,SC2154 # build_packages is for them, root from them
+# What demos/run.sh, demos/report.sh and tests/run.sh share: installing what is missing, configuring, building. Sourced
+# by them; they set `root`, the project's folder, first.
+# shellcheck disable=SC2034,SC2154 # lists of packages are for them, root from them
 
 build_packages='build-essential cmake ninja-build pkg-config libbullet-dev libeigen3-dev libqhull-dev libassimp-dev
   libosmesa6-dev libpng-dev nlohmann-json3-dev libcli11-dev'
+test_packages='libgtest-dev libglpk-dev libfcl-dev libbenchmark-dev doxygen'
 build_dir=$root/build/release
 
 # A root shell made by plain `su` does not have these, and dpkg needs them.

@@ -5,7 +5,6 @@ set -eu
 root=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
 . "$root/demos/setup.sh"
 
-test_packages='libgtest-dev libglpk-dev libfcl-dev libbenchmark-dev doxygen'
 # shellcheck disable=SC2086 # lists of words
 install_packages $build_packages $test_packages
 configure -DDGD_BUILD_TESTS=ON ${CI:+-DDGD_WERROR=ON -DDGD_QUICK_BUILD=ON}

@@ -1,0 +1,209 @@
+// solution_times: every way to a growth distance on the paper's kinds of pairs, time beside error. See --help.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "bench/class_options.h"
+#include "bench/exit_status.h"
+#include "bench/growth_methods.h"
+#include "bench/method_figures.h"
+#include "program_main.h"
+#include "report/progress_bar.h"
+
+namespace dgd_bench {
+namespace {
+
+constexpr const char* kDescription =
+    R"(Times all ways to a growth distance that the paper compares (its Sec. VI), on the same random pairs in turns:
+ours, the paper's algorithm as printed, and IE, Inc, DCF and DCol, written from their papers with the same
+support functions. Each answer is judged by the same certificate.)";
+
+constexpr const char* kExamples = R"(
+Examples:
+  solution_times                                    all classes, each method's own tolerance
+  solution_times --tolerances --classes curved,dsf  time against achieved error
+  solution_times --pairs 20 --poses 5               a first look
+)";
+
+constexpr const char* kFooter =
+    R"(Rows:     the methods; "unsupported" where one has no answer for any pair of the class. Warm is from the answer
+          at a pose 1 % of the extent and 0.01 rad away.
+Columns:  pairs that the method takes; times of a query in us, each the least of --rounds means of --repeats,
+          percentiles by nearest rank; mean iterations, which are evaluations of the support functions, or the
+          method's own steps (Inc, DCol); relative gap and primal infeasibility in m, median and worst; answers
+          that the method itself calls not optimal.
+
+Exit status: 0 all of our answers optimal; 1 some not; 2 wrong command line, or a mesh cannot be read.)";
+
+struct Options : ClassOptions {
+  Options() {
+    pairs = 200;
+    poses = 20;
+  }
+
+  int repeats = 5, rounds = 3;
+  bool tolerances = false;
+  std::filesystem::path csv;
+};
+
+std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
+  constexpr int kMost = 100'000;
+  Options options;
+  CLI::App app(kDescription, "solution_times");
+  app.footer(kExamples + ClassesInWords() + kFooter);
+  AddClassOptions(app, options);
+  app.add_option("--repeats", options.repeats, "Queries in a row, of which the mean is taken")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMost).description(""))
+      ->capture_default_str();
+  app.add_option("--rounds", options.rounds, "Turns of all methods, of which each one's least mean counts")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMost).description(""))
+      ->capture_default_str();
+  app.add_flag("--tolerances", options.tolerances, "Ask for relative gaps of 1e-3 to 1e-12 as well, cold");
+  app.add_option("--csv", options.csv, "Write the figures to this file")->type_name("FILE");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& end) {
+    return app.exit(end, std::cout, std::cerr) == 0 ? kSuccess : kBadInput;
+  }
+  return options;
+}
+
+std::vector<GrowthMethod> MethodsOf(const Options& options) {
+  std::vector<GrowthMethod> methods;
+  for (const GrowthMethod& method : kGrowthMethods) {
+    methods.push_back(method);
+    if (!options.tolerances || !HasTolerance(method.question)) continue;
+    for (const double tolerance : kTolerances) {
+      methods.push_back(method);
+      methods.back().question.tolerance = tolerance;
+    }
+  }
+  return methods;
+}
+
+MethodSample SampleOf(const SpeedAnswer& answer, double microseconds) {
+  return {.microseconds = microseconds,
+          .iterations = double(answer.iterations),
+          .relative_gap = answer.relative_gap,
+          .primal_infeasibility = answer.primal_infeasibility,
+          .dual_infeasibility = answer.dual_infeasibility,
+          .is_failure = answer.is_failure};
+}
+
+template <int L>
+void Measure(const SpeedPair<L>& pair, const std::vector<GrowthMethod>& methods, const Options& options,
+             std::int64_t index, std::vector<MethodFigures>& figures) {
+  std::vector<double> least(methods.size(), std::numeric_limits<double>::infinity());
+  for (int round = 0; round < options.rounds; ++round) {
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      if (pair.Takes(methods[m].question)) {
+        least[m] = std::min(least[m], pair.Time(methods[m].question, options.repeats));
+      }
+    }
+  }
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    if (!pair.Takes(methods[m].question)) continue;
+    figures[m].Take(SampleOf(pair.Judge(methods[m].question), least[m]), index);
+  }
+}
+
+template <int L>
+std::vector<MethodSummary> MeasureClass(const PairClass& each, const Meshes& meshes,
+                                        const std::vector<GrowthMethod>& methods, const Options& options) {
+  std::vector<MethodFigures> figures(methods.size());
+  dgd_demos::ProgressBar progress(each.name, 1);
+  dgd_test::Random random(options.seed);
+  const int pairs = std::max(1, options.pairs / each.poses_factor);
+  const int poses = options.pairs * options.poses / pairs;
+  std::int64_t index = 0;
+  for (int i = 0; i < pairs; ++i) {
+    const dgd_test::PairNumbers numbers = each.draw_sets(random, meshes);
+    const auto pair = MakeSpeedPair<L>(numbers.set_1, numbers.set_2);
+    const double extent = pair->Extent();
+    for (int j = 0; j < poses; ++j) {
+      const PairPoses drawn = DrawPoses(random, L, extent);
+      pair->MoveTo(drawn.pose_1, drawn.last_pose_2, drawn.pose_2);
+      Measure(*pair, methods, options, index++, figures);
+    }
+    progress.Update(static_cast<double>(i + 1) / pairs);
+  }
+  std::vector<MethodSummary> summaries;
+  for (const MethodFigures& method : figures) summaries.push_back(method.Summarize());
+  return summaries;
+}
+
+void Print(const PairClass& each, const std::vector<GrowthMethod>& methods,
+           const std::vector<MethodSummary>& summaries) {
+  std::printf("%s: %s\n", each.name, each.title);
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    std::string title = methods[m].title;
+    if (methods[m].question.tolerance > 0) {
+      std::array<char, 32> tolerance;
+      std::snprintf(tolerance.data(), tolerance.size(), ", gap %.0e", methods[m].question.tolerance);
+      title += tolerance.data();
+    }
+    const MethodSummary& summary = summaries[m];
+    std::printf("  %-36s", title.c_str());
+    if (summary.pairs == 0) {
+      std::printf("unsupported\n");
+      continue;
+    }
+    const ErrorFigure &gap = summary.Of(ErrorKind::kGap), &primal = summary.Of(ErrorKind::kPrimal);
+    std::printf("%8zu%9.3f%9.3f%9.3f%9.3f%9.3f%9.2f%10.1e%10.1e%10.1e%10.1e%10lld\n", summary.pairs, summary.p25,
+                summary.p50, summary.p75, summary.p99, summary.p9999, summary.iterations, gap.p50, gap.most, primal.p50,
+                primal.most, static_cast<long long>(summary.failures));
+  }
+  std::fflush(stdout);
+}
+
+/// Of a method that is not tolerant of float.
+bool MustBeOptimal(const SpeedQuestion& question) {
+  return question.method == SpeedMethod::kOurs && question.tolerance == 0;
+}
+
+ExitStatus Run(const Options& options) {
+  dgd_test::Random random(options.seed);
+  const Meshes meshes = MakeMeshes(options, random);
+  const std::vector<GrowthMethod> methods = MethodsOf(options);
+  std::optional<FiguresCsv> csv;
+  if (!options.csv.empty()) csv.emplace(options.csv);
+  std::printf("%d pairs x %d poses a class, seed %llu; times in us\n", options.pairs, options.poses,
+              static_cast<unsigned long long>(options.seed));
+  std::printf("%-38s%8s%9s%9s%9s%9s%9s%9s%10s%10s%10s%10s%10s\n", "", "pairs", "p25", "p50", "p75", "p99", "p99.99",
+              "iter.", "gap p50", "gap max", "prim. p50", "prim. max", "failures");
+  ExitStatus status = kSuccess;
+  for (const PairClass& each : AllPairClasses()) {
+    if (!options.Wants(each)) continue;
+    const std::vector<MethodSummary> summaries = each.dimension == 2 ? MeasureClass<2>(each, meshes, methods, options)
+                                                                     : MeasureClass<3>(each, meshes, methods, options);
+    Print(each, methods, summaries);
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      const SpeedQuestion& question = methods[m].question;
+      if (csv) {
+        csv->Write({each.name, methods[m].key, methods[m].title, question.start == kWarmStart, question.tolerance,
+                    each.vertices},
+                   summaries[m]);
+      }
+      if (MustBeOptimal(question) && summaries[m].failures > 0) status = kFailedQuery;
+    }
+  }
+  return status;
+}
+
+}  // namespace
+}  // namespace dgd_bench
+
+int main(int argc, char** argv) {
+  return dgd_demos::RunProgram(dgd_bench::ParseCommandLine(argc, argv), dgd_bench::Run);
+}
