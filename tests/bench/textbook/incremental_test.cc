@@ -69,8 +69,12 @@ void CertifyColdAndWarm(DrawSets draw_sets, int pairs, int poses_each, double mo
   EXPECT_LE(2 * warm_steps, cold_steps);
 }
 
-TEST(Incremental, Hulls_AreCertifiedColdAndWarm) { CertifyColdAndWarm(ClassOf("sharp-hulls").draw_sets, 1000, 5, 2); }
-TEST(Incremental, Meshes_AreCertifiedColdAndWarm) { CertifyColdAndWarm(ClassOf("meshes").draw_sets, 10, 200, 4); }
+TEST(Incremental, Hulls_AreCertifiedColdAndWarm) {
+  CertifyColdAndWarm(ClassOf("sharp-hulls").draw_sets, dgd_test::TestCount(1000), 5, 2);
+}
+TEST(Incremental, Meshes_AreCertifiedColdAndWarm) {
+  CertifyColdAndWarm(ClassOf("meshes").draw_sets, 10, dgd_test::TestCount(200), 4);
+}
 
 dgd_test::SetNumbers RandomTetrahedron(dgd_test::Random& random) {
   dgd_test::SetNumbers set;
@@ -87,7 +91,7 @@ TEST(Incremental, Tetrahedra_FarSideIsNotFollowed) {
         dgd_test::SetNumbers set_1 = RandomTetrahedron(random);
         return dgd_test::PairNumbers{std::move(set_1), RandomTetrahedron(random), {}, {}};
       },
-      10000, 1, 2);
+      dgd_test::TestCount(10000), 1, 2);
 }
 
 // One state through a whole motion, small steps and leaps: a start is only a start.

