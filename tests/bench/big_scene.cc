@@ -274,7 +274,7 @@ void BuildRubble(BenchWorld& world) {
 
 }  // namespace
 
-void BuildHeap(BenchWorld& world) {
+void BuildHeap(BenchWorld& world, int bodies) {
   constexpr double kPit = 9;  // Half its width.
   world.AddGround(50);
   btBoxShape &wall_x = MakeBox(world, 1, kPit + 2, 5), &wall_y = MakeBox(world, kPit + 2, 1, 5);
@@ -288,7 +288,7 @@ void BuildHeap(BenchWorld& world) {
                                            &world.Make<btCylinderShapeZ>(Vec(0.35, 0.35, 0.3)),
                                            &world.Make<btConeShapeZ>(btScalar(0.4), btScalar(0.8))};
   for (int i = 0; i < 10; ++i) shapes.push_back(&MakeHull(world, random));
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < bodies; ++i) {
     world.Add(*shapes[static_cast<std::size_t>(i) % shapes.size()], 200, InTheAir(random, i));
   }
 }

@@ -15,8 +15,8 @@ struct BigScene {
   void (*build)(BenchWorld& world);
 };
 
-/// 2000 shapes of all kinds above a pit, for one world and for several.
-void BuildHeap(BenchWorld& world);
+/// Shapes of all kinds above a pit, for one world and for several.
+void BuildHeap(BenchWorld& world, int bodies);
 
 /// All of them. Each builds the same in every world.
 const std::vector<BigScene>& BigScenes();

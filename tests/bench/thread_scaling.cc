@@ -21,8 +21,8 @@ namespace dgd_bench {
 namespace {
 
 constexpr const char* kDescription =
-    R"(Lets 2000 shapes of all kinds fall into a heap twice, step by step in turns: with the plugin's pairs on one
-thread, and shared among several. The two worlds must stay the same to the last bit.)";
+    R"(Lets shapes of all kinds fall into a heap twice, step by step in turns: with the plugin's pairs on one thread,
+and shared among several. The two worlds must stay the same to the last bit.)";
 
 constexpr const char* kFooter = R"(
 Examples:
@@ -33,17 +33,22 @@ Exit status: 0; 1 the worlds differ; 2 wrong command line.)";
 
 struct Options {
   int threads = 2;
+  int bodies = 2000;
   double duration = 6;
 };
 
 std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
-  constexpr int kMostThreads = 256;
+  constexpr int kMostThreads = 256, kMostBodies = 100000;
   Options options;
   CLI::App app(kDescription, "thread_scaling");
   app.footer(kFooter);
   app.add_option("--threads", options.threads, "Threads")
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads).description(""))
+      ->capture_default_str();
+  app.add_option("--bodies", options.bodies, "Shapes that fall")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostBodies).description(""))
       ->capture_default_str();
   AddDurationOption(app, options.duration);
   try {
@@ -72,7 +77,7 @@ bool AreSame(BenchWorld& a, BenchWorld& b) {
 ExitStatus Run(const Options& options) {
   const int steps = std::max(1, static_cast<int>(std::lround(options.duration / BenchWorld::kTimeStep)));
   BenchWorld alone(dgd_demos::Narrowphase::kDgd), shared(dgd_demos::Narrowphase::kDgd, options.threads);
-  for (BenchWorld* world : {&alone, &shared}) BuildHeap(*world);
+  for (BenchWorld* world : {&alone, &shared}) BuildHeap(*world, options.bodies);
   dgd_demos::ProgressBar progress("stepping", options.duration);
   double alone_ms = 0, shared_ms = 0, queries = 0;
   bool same = true;
