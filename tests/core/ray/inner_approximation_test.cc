@@ -187,5 +187,29 @@ TEST(InnerApproximation, Insert_PointAcrossAnEdgeThatCarriesTheRay_TurnsTheFacet
   EXPECT_EQ(inner.Height(), height);
 }
 
+/// A basis, and a point so far off that its rounding is more than the basis is high, while every exit that it is part
+/// of is above what C can reach.
+template <class S, int L>
+void ExpectFarPointChangesNothing(S far, S radius) {
+  auto inner = InnerApproximation<S, L>::FromInradius(1, S(0.5), radius);
+  const S height = inner.Height(), ceiling = 1;
+  dgd::DifferencePoint<S, L> point;
+  point.point[L - 1] = far;
+  EXPECT_FALSE(inner.Insert(point, ceiling));
+  EXPECT_EQ(inner.Height(), height);
+  EXPECT_EQ(inner.Size(), L);
+}
+
+// Found by fuzz_solver: "no exit" passed for one that is high enough but for rounding, and as many points as that has,
+// minus one, were moved.
+TEST(InnerApproximation, Insert_FarPointWithoutAnExit_ChangesNothing) {
+  for (const double radius : {0.0, 0.1}) {
+    ExpectFarPointChangesNothing<double, 3>(1e14, radius);
+    ExpectFarPointChangesNothing<double, 2>(1e14, radius);
+    ExpectFarPointChangesNothing<float, 3>(1e6F, float(radius));
+    ExpectFarPointChangesNothing<float, 2>(1e6F, float(radius));
+  }
+}
+
 }  // namespace
 }  // namespace dgd_test

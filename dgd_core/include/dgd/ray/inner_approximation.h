@@ -402,9 +402,10 @@ class InnerApproximation {
     return candidate.height >= height_ || candidate.height >= height_ - HeightRounding(candidate, added);
   }
 
-  /// Makes the kept points and the added one the basis if that is high enough.
+  /// Makes the kept points and the added one the basis if there is an exit among them, and that is high enough: far
+  /// points are rounded by more than any height.
   bool Replace(const Candidate& candidate, const DifferencePoint<S, L>& added) {
-    if (!IsHighEnough(candidate, added.point)) return false;
+    if (candidate.size == 0 || !IsHighEnough(candidate, added.point)) return false;
     // The kept points go to the front; i < j cyclically, so they may have to move in either order.
     const auto kept_count = static_cast<std::size_t>(candidate.size - 1);
     std::array<DifferencePoint<S, L>, L - 1> kept;
