@@ -23,10 +23,16 @@ using Eigen::Vector3d;
 void RequireFinitePoints(std::span<const Vector3d> points) {
   if (points.empty()) throw std::invalid_argument("a convex hull needs at least one point; got none");
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].allFinite()) continue;
-    throw std::invalid_argument("hull point " + std::to_string(i) + " must be finite; got (" +
-                                std::to_string(points[i].x()) + ", " + std::to_string(points[i].y()) + ", " +
-                                std::to_string(points[i].z()) + ")");
+    if ((points[i].array().abs() <= kMostCoordinate).all()) continue;  // False for NaN.
+    const std::string point = "hull point " + std::to_string(i);
+    if (points[i].allFinite()) {
+      std::ostringstream text;
+      text << point << " must be within " << kMostCoordinate << " m of the origin; got (" << points[i].transpose()
+           << ")";
+      throw std::invalid_argument(text.str());
+    }
+    throw std::invalid_argument(point + " must be finite; got (" + std::to_string(points[i].x()) + ", " +
+                                std::to_string(points[i].y()) + ", " + std::to_string(points[i].z()) + ")");
   }
 }
 
@@ -83,6 +89,12 @@ void InvertFacets(ConvexHull& hull) {
       hull.vertex_facets[static_cast<std::size_t>(next[vertex]++)] = static_cast<int>(facet);
     }
   }
+}
+
+Vector3d MeanOf(const std::vector<Vector3d>& points) {
+  Vector3d mean = Vector3d::Zero();
+  for (const Vector3d& point : points) mean += point / static_cast<double>(points.size());
+  return mean;
 }
 
 ConvexHull PointHull(std::span<const Vector3d> points) {
@@ -151,7 +163,7 @@ ConvexHull PlanarHull(std::span<const Vector3d> points, const AffineFrame& frame
     area += part;
     moment += part * (edge_1 + edge_2) / 3;
   }
-  hull.center = hull.vertices[0] + moment / area;
+  hull.center = area > 0 ? Vector3d(hull.vertices[0] + moment / area) : MeanOf(hull.vertices);
   return hull;
 }
 
@@ -241,9 +253,7 @@ double DepthOf(const Vector3d& point, const ConvexHull& hull) {
 
 /// Centroid of the volume from tetrahedra over an inner point, then the largest ball about it.
 void FindCenterAndInradius(ConvexHull& hull) {
-  Vector3d inner = Vector3d::Zero();
-  for (const Vector3d& vertex : hull.vertices) inner += vertex / static_cast<double>(hull.vertices.size());
-
+  const Vector3d inner = MeanOf(hull.vertices);
   double volume = 0;
   Vector3d moment = Vector3d::Zero();
   for (std::size_t facet = 0; facet < hull.normals.size(); ++facet) {

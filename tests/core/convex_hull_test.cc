@@ -387,7 +387,7 @@ TEST(ConvexHull, Needles_KeepTheirCentreInside) {
 TEST(ConvexHull, SolidPointsWithoutHull_AreRejectedSayingWhy) {
   try {
     BuildConvexHull(Moved(Cube(), Eigen::AngleAxisd(1, Vector3d(1, 2, 3).normalized()).toRotationMatrix(),
-                          Vector3d::Zero(), 1e100));
+                          Vector3d::Zero(), 1e-130));
     ADD_FAILURE() << "accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_NE(std::string(error.what()).find("Qhull finds no hull of points that reach 3.4"), std::string::npos)
@@ -412,6 +412,32 @@ TEST(ConvexHull, BadInput_IsRejectedNamingTheIndex) {
   points[5].y() = 0;
   points[2].z() = -std::numeric_limits<double>::infinity();
   EXPECT_NE(message(points).find("hull point 2 must be finite; got (-1.0"), std::string::npos) << message(points);
+}
+
+// Found by fuzz_hull: products of lengths overflowed, and a flat hull of nine points had two vertices and two facets.
+TEST(ConvexHull, PointsTooFarOff_AreRefused) {
+  const std::vector<Vector3d> points = {{1e160, 0, 0}, {0, 1e160, 0}, {0, 0, 1e160}, {-1e308, 1, 0}};
+  try {
+    dgd::BuildConvexHull(points);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("hull point 0 must be within 1e+75 m"), std::string::npos) << error.what();
+  }
+  const std::vector<Vector3d> farthest = {{1e75, 0, 0}, {0, 1e75, 0}, {0, 0, 1e75}, {-1e75, -1e75, -1e75}};
+  const dgd::ConvexHull hull = dgd::BuildConvexHull(farthest);
+  EXPECT_EQ(hull.dimension, 3);
+  EXPECT_TRUE(hull.center.allFinite());
+  EXPECT_GT(hull.inradius, 1e74);
+}
+
+// Areas of 1e-320 square metres are no numbers to divide by.
+TEST(ConvexHull, FlatAndTiny_TheCentreIsAmongThePoints) {
+  for (const double size : {1e-160, 1e-155, 1e-100}) {
+    const std::vector<Vector3d> triangle = {{0, 0, 0}, {size, 0, 0}, {0, size, 0}};
+    const dgd::ConvexHull hull = dgd::BuildConvexHull(triangle);
+    ASSERT_TRUE(hull.center.allFinite()) << size;
+    EXPECT_LE(hull.center.cwiseAbs().maxCoeff(), size);
+  }
 }
 
 }  // namespace

@@ -208,7 +208,7 @@ TYPED_TEST(GrowthDistanceStatus, InvalidInput_ForNanAndInfinityAnywhere) {
 TYPED_TEST(GrowthDistanceStatus, InvalidInput_ForVerticesBeyondTheScalar) {
   using S = TypeParam;
   if constexpr (sizeof(S) == 4) {
-    const std::vector<Vector3d> points = {{1e300, 0, 0}, {-1e300, 0, 0}, {0, 1e300, 0}, {0, 0, 1e300}};
+    const std::vector<Vector3d> points = {{1e60, 0, 0}, {-1e60, 0, 0}, {0, 1e60, 0}, {0, 0, 1e60}};
     const SolverPair<S> pair(ReferencePair{{.type = CoreType::kPolytope, .points = points},
                                            {.type = CoreType::kBox, .size = {1, 1, 1}},
                                            {},

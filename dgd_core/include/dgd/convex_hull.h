@@ -28,9 +28,13 @@ struct ConvexHull {
 /// below what Qhull separates from rounding, with a decade to spare. Test: ConvexHull_NearlyFlat_*.
 inline constexpr double kFlatness = 1e-12;
 
-/// @param points  Metres, in any order, duplicates and interior points allowed; at least one, all finite.
-/// Throws std::invalid_argument if there are none or one is not finite, naming its index; or if Qhull finds no hull of
-/// points that are clearly not flat, saying why. Flat input is not an error: the dimension says it.
+/// Coordinates reach no farther: fourth powers, as a centroid's moments are, stay finite. Metres.
+inline constexpr double kMostCoordinate = 1e75;
+
+/// @param points  Metres, in any order, duplicates and interior points allowed; at least one, all within
+///                kMostCoordinate of the origin along each axis.
+/// Throws std::invalid_argument if there are none or one is not finite or farther away, naming its index; or if Qhull
+/// finds no hull of points that are clearly not flat, saying why. Flat input is not an error: the dimension says it.
 ConvexHull BuildConvexHull(std::span<const Eigen::Vector3d> points);
 
 }  // namespace dgd
