@@ -34,8 +34,9 @@ bool TurnToLeastTranslation(const PosedShape& shape_a, const PosedShape& shape_b
         dgd::WarmStart<double> follow;
         const dgd::SignedDistanceResult<double> turned =
             dgd::SignedDistance(set_a, shape_a.pose, set_b, shape_b.pose, result, &warm_start, for_pair, &follow);
-        // Whatever its status, the separation along a normal is certain. A gain within the rounding of the shapes is
-        // none: it would cost the witness points more.
+        if (turned.status == dgd::Status::kInvalidInput) return false;
+        // Whatever else its status, the separation along a normal is certain. A gain within the rounding of the shapes
+        // is none: it would cost the witness points more.
         const double radius = set_a.radius + set_b.radius;
         const double size = set_a.core.Inradius() + set_b.core.Inradius() + radius;
         const double negligible = kLeastGain * for_pair.relative_tolerance * size;

@@ -4,6 +4,7 @@
 // with the normal along which the sets are farthest apart, or overlap least.
 #pragma once
 
+#include <cmath>
 #include <limits>
 
 #include "dgd/distance/signed_distance_search.h"
@@ -43,6 +44,11 @@ void Report(const Search& search, SignedDistanceResult<typename Search::S>& resu
   result.witness_1 = search.Witness1();
   result.witness_2 = search.Witness2();
 }
+
+template <class S>
+bool IsFinite(const SignedDistanceResult<S>& result) {
+  return std::isfinite(result.normal.sum() + result.separation + result.witness_1.sum() + result.witness_2.sum());
+}
 }  // namespace signed_distance_internal
 
 /// The signed distance of two sets in space, flat ones too.
@@ -65,6 +71,10 @@ SignedDistanceResult<typename Set1::Scalar> SignedDistance(const Set1& set_1, co
   result.iterations = search.Iterations();
   if (result.status == Status::kInvalidInput) return result;
   signed_distance_internal::Report(search, result);
+  if (!signed_distance_internal::IsFinite(result)) {
+    result.status = Status::kInvalidInput;  // A support function gave no number.
+    return result;
+  }
   if (follow != nullptr) search.Remember(result.status, *follow);
   return result;
 }

@@ -57,6 +57,12 @@ VectorOf<typename Set1::Core> LineOfCenters(const Set1& set_1, const PoseOf<Set1
   return pose_1.rotation.transpose() * Point(between_centers / between_centers.norm());
 }
 
+/// Whether the normal, the separation and the witness points are numbers.
+template <class S, int L>
+bool IsFinite(const Result<S, L>& result) {
+  return std::isfinite(result.normal.sum() + result.separation + result.witness_1.sum() + result.witness_2.sum());
+}
+
 template <class Set1, class Set2, class Observer>
 [[gnu::flatten]] ResultOf<Set1> GrowthDistance(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
                                                const PoseOf<Set1>& pose_2,
@@ -78,6 +84,10 @@ template <class Set1, class Set2, class Observer>
   result.separation = query.Separation();
   result.witness_1 = query.Witness1();
   result.witness_2 = query.Witness2();
+  // A support function that gave no number leaves no plane: such a query cannot end as optimal.
+  if (result.status != Status::kOptimal && result.status != Status::kSeparated && !IsFinite(result)) {
+    result.status = Status::kInvalidInput;
+  }
   return result;
 }
 
