@@ -1,5 +1,6 @@
 #include "convex_convex_algorithm.h"
 
+#include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletCollision/CollisionShapes/btConvexShape.h>
@@ -103,21 +104,24 @@ void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* bod
                                              const btCollisionObjectWrapper* body_1, const btDispatcherInfo& info,
                                              btManifoldResult* output) {
   if (Recorder* recorder = narrowphase_.options().recorder) recorder->Add(*body_0, *body_1);
-  if (!HasManifold(body_0, body_1)) return;
+  const auto count = [&](Fallback fallback) {
+    narrowphase_.CountFallback(*body_0->getCollisionShape(), *body_1->getCollisionShape(), fallback);
+  };
+  if (!HasManifold(body_0, body_1)) return count(Fallback::kNoMemory);
   output->setPersistentManifold(manifold_);
   if (StaysAtRest(*body_0, *body_1, info, *output)) return;
   is_resting_ = false;
   if (StaysApart(*body_0, *body_1, info, *output)) return;
-  if (const std::optional<dgd::Status> failure = FindContacts(body_0, body_1, info, *output)) {
-    narrowphase_.CountFallback(*body_0->getCollisionShape(), *body_1->getCollisionShape(), *failure);
-    // Bullet has no answer to what is no shape or no pose either: it reads points that a hull has not, and keeps NaN.
-    if (*failure == dgd::Status::kInvalidInput) {
-      if (owns_manifold_) manifold_->clearManifold();
-      return;
-    }
-    narrowphase_.FallBack(*m_dispatcher, body_0, body_1, info, *output);
-    if (owns_manifold_) output->refreshContactPoints();
+  const std::optional<Fallback> fallback = FindContacts(body_0, body_1, info, *output);
+  if (!fallback) return;
+  count(*fallback);
+  // Bullet has no answer to what is no shape or no pose either: it reads points that a hull has not, and keeps NaN.
+  if (!IsAnsweredByBullet(*fallback)) {
+    if (owns_manifold_) manifold_->clearManifold();
+    return;
   }
+  narrowphase_.FallBack(*m_dispatcher, body_0, body_1, info, *output);
+  if (owns_manifold_) output->refreshContactPoints();
 }
 
 bool ConvexConvexAlgorithm::HasManifold(const btCollisionObjectWrapper* body_0,
@@ -156,10 +160,10 @@ struct ConvexConvexAlgorithm::Query {
   dgd::FacingFaces<double> facing;   // Along the result's normal, if that was the last one and has contacts.
 };
 
-std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollisionObjectWrapper* body_0,
-                                                               const btCollisionObjectWrapper* body_1,
-                                                               const btDispatcherInfo& info,
-                                                               btManifoldResult& output) try {
+std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObjectWrapper* body_0,
+                                                            const btCollisionObjectWrapper* body_1,
+                                                            const btDispatcherInfo& info,
+                                                            btManifoldResult& output) try {
   const Options& options = narrowphase_.options();
   const bool is_swapped = ComesBefore(*body_1, *body_0);
   if (is_swapped) std::swap(body_0, body_1);
@@ -179,7 +183,7 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
 
   FindNormal(query);
   dgd::Result<double>& result = query.result;
-  if (result.status != dgd::Status::kSeparated && !IsCertified(result)) return result.status;
+  if (result.status != dgd::Status::kSeparated && !IsCertified(result)) return FallbackOf(result.status);
   dgd::ContactPatch<double> patch = FindContactPatch(query);
   had_contact_ = patch.size > 0;
   if (PairCounters* counters = narrowphase_.pair_counters()) {
@@ -194,9 +198,10 @@ std::optional<dgd::Status> ConvexConvexAlgorithm::FindContacts(const btCollision
   WriteContacts(patch, result.normal, output);
   if (query.motion.IsWithin(RestingDistance(query.breaking_threshold))) RememberRest(*body_0, *body_1);
   return std::nullopt;
+} catch (const std::bad_alloc&) {
+  return Fallback::kNoMemory;  // For a hull.
 } catch (const std::exception&) {
-  // A shape that is not one: NaN or infinite sizes, no points, no memory for its hull.
-  return dgd::Status::kInvalidInput;
+  return Fallback::kInvalid;  // A shape that is not one: NaN or infinite sizes, no points.
 }
 
 void ConvexConvexAlgorithm::FindNormal(Query& query) {

@@ -48,9 +48,8 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   bool HasManifold(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1);
 
   /// Solves the pair and writes its contacts. If that failed: why; nothing was written then.
-  std::optional<dgd::Status> FindContacts(const btCollisionObjectWrapper* body_0,
-                                          const btCollisionObjectWrapper* body_1, const btDispatcherInfo& info,
-                                          btManifoldResult& output);
+  std::optional<Fallback> FindContacts(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1,
+                                       const btDispatcherInfo& info, btManifoldResult& output);
 
   /// What a step asks of the pair, and the answer so far.
   struct Query;

@@ -2,10 +2,12 @@
 
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btConvexConvexAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 
 #include <cmath>
+#include <cstdio>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -13,6 +15,8 @@
 #include "convex_convex_algorithm.h"
 
 namespace dgd_bullet {
+
+void PrintToStandardError(const char* message) noexcept { std::fprintf(stderr, "%s\n", message); }
 
 Narrowphase::Narrowphase(const Options& options) : options_(options) {
   const auto require = [](bool in_range, const char* name, const char* range, double value) {
@@ -41,44 +45,42 @@ bool Narrowphase::Handles(int type_0, int type_1) {
 
 Statistics Narrowphase::statistics() const {
   Statistics statistics;
-  statistics.fallbacks_not_converged = fallbacks_not_converged_.load(std::memory_order_relaxed);
-  statistics.fallbacks_no_interior = fallbacks_no_interior_.load(std::memory_order_relaxed);
-  statistics.fallbacks_invalid = fallbacks_invalid_.load(std::memory_order_relaxed);
+  for (std::size_t i = 0; i < kFallbacks; ++i) {
+    CountOf(statistics, static_cast<Fallback>(i)) = fallbacks_[i].load(std::memory_order_relaxed);
+  }
   if (pair_counters_ != nullptr) statistics.pairs = pair_counters_->Read();
   return statistics;
 }
 
-void Narrowphase::CountFallback(const btCollisionShape& shape_0, const btCollisionShape& shape_1, dgd::Status status) {
-  switch (status) {
-    case dgd::Status::kInvalidInput:
-      fallbacks_invalid_.fetch_add(1, std::memory_order_relaxed);
-      break;
-    case dgd::Status::kNoInterior:
-      fallbacks_no_interior_.fetch_add(1, std::memory_order_relaxed);
-      break;
-    default:
-      fallbacks_not_converged_.fetch_add(1, std::memory_order_relaxed);
+void Narrowphase::CountFallback(const btCollisionShape& shape_0, const btCollisionShape& shape_1, Fallback fallback) {
+  const int type_0 = shape_0.getShapeType(), type_1 = shape_1.getShapeType();
+  const bool is_first = fallbacks_[static_cast<std::size_t>(fallback)].fetch_add(1, std::memory_order_relaxed) == 0;
+  if (is_first && options_.on_first_fallback != nullptr) {
+    options_.on_first_fallback(Describe(fallback, type_0, type_1).data());
   }
-  if (pair_counters_ != nullptr) {
-    pair_counters_->CountFallback(shape_0.getShapeType(), shape_1.getShapeType(), status);
-  }
+  if (pair_counters_ != nullptr) pair_counters_->CountFallback(type_0, type_1, fallback);
 }
 
 void Narrowphase::FallBack(btDispatcher& dispatcher, const btCollisionObjectWrapper* body_0,
                            const btCollisionObjectWrapper* body_1, const btDispatcherInfo& info,
                            btManifoldResult& output) {
-  btCollisionAlgorithmConstructionInfo construction(&dispatcher, 0);
-  construction.m_manifold = output.getPersistentManifold();
-  btCollisionAlgorithm* algorithm = fallback_.CreateCollisionAlgorithm(construction, body_0, body_1);
-  algorithm->processCollision(body_0, body_1, info, &output);
-  algorithm->~btCollisionAlgorithm();
-  dispatcher.freeCollisionAlgorithm(algorithm);
+  // On the stack: where Bullet's pools are full, there is an answer all the same.
+  constexpr int kNoPerturbations = 0, kPointsToPerturb = 3;  // As its CreateFunc has them.
+  const btCollisionAlgorithmConstructionInfo construction(&dispatcher, 0);
+  btConvexConvexAlgorithm algorithm(output.getPersistentManifold(), construction, body_0, body_1, &penetration_solver_,
+                                    kNoPerturbations, kPointsToPerturb);
+  algorithm.processCollision(body_0, body_1, info, &output);
 }
 
 btCollisionAlgorithm* Narrowphase::PairCreateFunc::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
-                                                                            const btCollisionObjectWrapper*,
-                                                                            const btCollisionObjectWrapper*) {
+                                                                            const btCollisionObjectWrapper* body_0,
+                                                                            const btCollisionObjectWrapper* body_1) {
   void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(ConvexConvexAlgorithm));
+  if (memory == nullptr) {
+    // Bullet leaves out the pair, and asks anew in the next step.
+    narrowphase.CountFallback(*body_0->getCollisionShape(), *body_1->getCollisionShape(), Fallback::kNoMemory);
+    return nullptr;
+  }
   return new (memory) ConvexConvexAlgorithm(info, narrowphase, speculative);
 }
 

@@ -2,17 +2,22 @@
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btCollisionCreateFunc.h>
-#include <BulletCollision/CollisionDispatch/btConvexConvexAlgorithm.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 
+#include <array>
 #include <atomic>
 #include <memory>
 
-#include "dgd/growth_distance.h"
 #include "dgd_bullet/options.h"
 #include "dgd_bullet/statistics.h"
+#include "fallback.h"
 #include "hull_cache.h"
 #include "pair_counters.h"
+
+class btCollisionShape;
+class btDispatcher;
+class btManifoldResult;
+struct btDispatcherInfo;
 
 namespace dgd_bullet {
 
@@ -37,7 +42,8 @@ class Narrowphase {
   /// Null unless Options::count_pairs.
   PairCounters* pair_counters() { return pair_counters_.get(); }
 
-  void CountFallback(const btCollisionShape& shape_0, const btCollisionShape& shape_1, dgd::Status status);
+  /// Counts a call that has not been answered, and tells the first of its kind.
+  void CountFallback(const btCollisionShape& shape_0, const btCollisionShape& shape_1, Fallback fallback);
 
   /// Answers the pair with Bullet's GJK/EPA, into output's manifold.
   void FallBack(btDispatcher& dispatcher, const btCollisionObjectWrapper* body_0,
@@ -58,11 +64,8 @@ class Narrowphase {
   PairCreateFunc closest_points_create_func_{*this, false};
   HullCache hulls_;
   btGjkEpaPenetrationDepthSolver penetration_solver_;
-  btConvexConvexAlgorithm::CreateFunc fallback_{&penetration_solver_};
   std::unique_ptr<PairCounters> pair_counters_;
-  std::atomic<std::uint64_t> fallbacks_not_converged_{0};
-  std::atomic<std::uint64_t> fallbacks_no_interior_{0};
-  std::atomic<std::uint64_t> fallbacks_invalid_{0};
+  std::array<std::atomic<std::uint64_t>, kFallbacks> fallbacks_{};
 };
 
 }  // namespace dgd_bullet

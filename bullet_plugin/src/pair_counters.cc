@@ -47,16 +47,8 @@ void PairCounters::Count(int type_0, int type_1, const PairOutcome& outcome) {
   Increment(row.patch_sizes[static_cast<std::size_t>(outcome.patch_size)]);
 }
 
-void PairCounters::CountFallback(int type_0, int type_1, dgd::Status status) {
-  Row& row = RowOf(type_0, type_1);
-  switch (status) {
-    case dgd::Status::kInvalidInput:
-      return Increment(row.invalid);
-    case dgd::Status::kNoInterior:
-      return Increment(row.no_interior);
-    default:
-      return Increment(row.not_converged);
-  }
+void PairCounters::CountFallback(int type_0, int type_1, Fallback fallback) {
+  Increment(RowOf(type_0, type_1).fallbacks[static_cast<std::size_t>(fallback)]);
 }
 
 std::vector<PairStatistics> PairCounters::Read() const {
@@ -72,9 +64,7 @@ std::vector<PairStatistics> PairCounters::Read() const {
       pair.resting = read(row.resting);
       pair.followed = read(row.followed);
       pair.solved = read(row.solved);
-      pair.fallbacks_not_converged = read(row.not_converged);
-      pair.fallbacks_no_interior = read(row.no_interior);
-      pair.fallbacks_invalid = read(row.invalid);
+      for (std::size_t i = 0; i < kFallbacks; ++i) CountOf(pair, static_cast<Fallback>(i)) = read(row.fallbacks[i]);
       pair.calls = pair.separated + pair.resting + pair.followed + pair.solved + pair.Fallbacks();
       std::transform(row.iterations.begin(), row.iterations.end(), pair.iterations.begin(), read);
       std::transform(row.patch_sizes.begin(), row.patch_sizes.end(), pair.patch_sizes.begin(), read);

@@ -5,8 +5,8 @@
 #include <atomic>
 #include <vector>
 
-#include "dgd/query_types.h"
 #include "dgd_bullet/statistics.h"
+#include "fallback.h"
 
 namespace dgd_bullet {
 
@@ -26,7 +26,7 @@ class PairCounters {
   PairCounters();
 
   void Count(int type_0, int type_1, const PairOutcome& outcome);
-  void CountFallback(int type_0, int type_1, dgd::Status status);
+  void CountFallback(int type_0, int type_1, Fallback fallback);
 
   /// Of the types that met.
   std::vector<PairStatistics> Read() const;
@@ -34,7 +34,8 @@ class PairCounters {
  private:
   using Counter = std::atomic<std::uint64_t>;
   struct Row {
-    Counter separated{0}, resting{0}, followed{0}, solved{0}, not_converged{0}, no_interior{0}, invalid{0};
+    Counter separated{0}, resting{0}, followed{0}, solved{0};
+    std::array<Counter, kFallbacks> fallbacks{};
     std::array<Counter, PairStatistics::kMaxIterations + 1> iterations{};
     std::array<Counter, 5> patch_sizes{};
     std::atomic<double> worst_gap{0};

@@ -8,6 +8,9 @@
 #include <BulletCollision/CollisionShapes/btTetrahedronShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleCallback.h>
 
+#include <array>
+#include <cstring>
+
 namespace dgd_bullet {
 namespace {
 
@@ -21,6 +24,14 @@ class CornerCollector : public btInternalTriangleIndexCallback {
   }
   std::vector<Vector3> points;
 };
+
+/// An app's vertices may lie at any address.
+template <class Number>
+Vector3 ReadPoint(const unsigned char* bytes) {
+  std::array<Number, 3> coordinates;
+  std::memcpy(coordinates.data(), bytes, sizeof(coordinates));
+  return {double(coordinates[0]), double(coordinates[1]), double(coordinates[2])};
+}
 
 }  // namespace
 
@@ -85,14 +96,7 @@ Vector3 ShapePoints::operator[](int i) const {
     return FromBullet(vertex);
   }
   const auto* bytes = base_ + static_cast<std::ptrdiff_t>(i) * stride_;
-  Vector3 point;
-  if (is_double_) {
-    const auto* coordinates = reinterpret_cast<const double*>(bytes);
-    point = {coordinates[0], coordinates[1], coordinates[2]};
-  } else {
-    const auto* coordinates = reinterpret_cast<const float*>(bytes);
-    point = {double(coordinates[0]), double(coordinates[1]), double(coordinates[2])};
-  }
+  const Vector3 point = is_double_ ? ReadPoint<double>(bytes) : ReadPoint<float>(bytes);
   return point.cwiseProduct(FromBullet(*scaling_));
 }
 

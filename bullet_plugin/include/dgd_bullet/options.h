@@ -19,6 +19,9 @@ enum class GeometryMode {
             ///< Spheres and capsules keep their radius.
 };
 
+/// Writes the message and a line's end to the standard error stream.
+void PrintToStandardError(const char* message) noexcept;
+
 /// Of one dispatcher; each has its default.
 struct Options {
   /// Relative gap between the two bounds of the growth distance at which a query stops; dimensionless, > 0. The depth
@@ -83,6 +86,11 @@ struct Options {
 
   /// Is given all that Bullet asks about (dgd_bullet/recorder.h), or null. Not owned: must outlive the dispatcher.
   Recorder* recorder = nullptr;
+
+  /// Told when a call is not answered by the growth distance, for each of the reasons in FallbackCounts once: one line,
+  /// without its end, that names the two types of shapes and the reason. All later ones are only counted. Called by
+  /// whichever thread meets it, in the middle of a step. Null: nobody is told.
+  void (*on_first_fallback)(const char* message) noexcept = PrintToStandardError;
 };
 
 }  // namespace dgd_bullet

@@ -9,13 +9,16 @@
 
 namespace dgd_bullet {
 
-/// Calls handed to Bullet's GJK/EPA, by reason.
+/// Calls that the growth distance did not answer, by reason. The first two are handed to Bullet's GJK/EPA.
 struct FallbackCounts {
   std::uint64_t fallbacks_not_converged = 0;  ///< Iteration limit, or bounds that rounding kept apart.
   std::uint64_t fallbacks_no_interior = 0;    ///< Two flat shapes without margins: no growth distance exists.
-  std::uint64_t fallbacks_invalid = 0;  ///< NaN or infinity in a pose or a shape: no contacts, from Bullet neither.
+  std::uint64_t fallbacks_invalid = 0;    ///< NaN or infinity in a pose or a shape: no contacts, from Bullet neither.
+  std::uint64_t fallbacks_no_memory = 0;  ///< For a hull, or in Bullet's pools: no contacts, and tried anew next time.
 
-  std::uint64_t Fallbacks() const { return fallbacks_not_converged + fallbacks_no_interior + fallbacks_invalid; }
+  std::uint64_t Fallbacks() const {
+    return fallbacks_not_converged + fallbacks_no_interior + fallbacks_invalid + fallbacks_no_memory;
+  }
 };
 
 /// What the pairs of two types of shapes came to.

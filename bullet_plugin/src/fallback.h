@@ -1,0 +1,33 @@
+// Why a call was not answered by the growth distance, and what is said of it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "dgd/query_types.h"
+#include "dgd_bullet/statistics.h"
+
+namespace dgd_bullet {
+
+/// The members of FallbackCounts, in their order.
+enum class Fallback { kNotConverged, kNoInterior, kInvalid, kNoMemory };
+inline constexpr std::size_t kFallbacks = 4;
+
+/// Of a query that is not certified.
+Fallback FallbackOf(dgd::Status status);
+
+/// Whether Bullet's own algorithm has an answer where we have none.
+constexpr bool IsAnsweredByBullet(Fallback fallback) {
+  return fallback == Fallback::kNotConverged || fallback == Fallback::kNoInterior;
+}
+
+std::uint64_t& CountOf(FallbackCounts& counts, Fallback fallback);
+
+/// One line for a log, ended by 0, without a line's end.
+using FallbackMessage = std::array<char, 256>;
+
+/// What happened to a pair of two of Bullet's types of shapes, and that it is told once. Allocates nothing, since
+/// memory may be what is missing.
+FallbackMessage Describe(Fallback fallback, int type_0, int type_1);
+
+}  // namespace dgd_bullet

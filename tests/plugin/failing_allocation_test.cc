@@ -1,0 +1,117 @@
+// Memory that runs out: each allocation of a pair's first steps fails in turn. Nothing is thrown into Bullet, nothing
+// that is not finite is written, and with memory again the contacts are those of a pair that never lacked any.
+//
+// Apart from the other tests, for operator new is the program's.
+#include <cstdlib>
+#include <new>
+
+#include "plugin/fallback_fixture.h"
+#include "plugin/shape_zoo.h"
+
+namespace {
+
+/// Allocations until one fails, and from then on all; negative for never.
+thread_local long allocations_left = -1;
+
+void* Allocate(std::size_t size) {
+  if (allocations_left == 0) throw std::bad_alloc();
+  if (allocations_left > 0) --allocations_left;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return Allocate(size); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace dgd_test {
+namespace {
+
+/// Until it is over, the (n + 1)-th allocation and all later ones fail.
+class MemoryForSome {
+ public:
+  explicit MemoryForSome(long n) { allocations_left = n; }
+  ~MemoryForSome() { allocations_left = -1; }
+  MemoryForSome(const MemoryForSome&) = delete;
+  MemoryForSome& operator=(const MemoryForSome&) = delete;
+
+  /// Whether one has failed, or the next would.
+  bool IsOver() const { return allocations_left == 0; }
+};
+
+/// Contacts go into the manifold, as in a world: what PairQuery collects them in may have no memory either.
+class BarePair {
+ public:
+  BarePair(btCollisionDispatcher& dispatcher, btConvexShape& shape_a, btConvexShape& shape_b)
+      : dispatcher_(dispatcher) {
+    a_.setCollisionShape(&shape_a);
+    b_.setCollisionShape(&shape_b);
+    a_.setWorldTransform(At(0.02, 0.01, 0.85));
+  }
+  ~BarePair() {
+    if (algorithm_ == nullptr) return;
+    algorithm_->~btCollisionAlgorithm();
+    dispatcher_.freeCollisionAlgorithm(algorithm_);
+  }
+  BarePair(const BarePair&) = delete;
+  BarePair& operator=(const BarePair&) = delete;
+
+  void Step() {
+    const btCollisionObjectWrapper a(nullptr, a_.getCollisionShape(), &a_, a_.getWorldTransform(), -1, -1);
+    const btCollisionObjectWrapper b(nullptr, b_.getCollisionShape(), &b_, b_.getWorldTransform(), -1, -1);
+    if (algorithm_ == nullptr) algorithm_ = dispatcher_.findAlgorithm(&a, &b, nullptr, BT_CONTACT_POINT_ALGORITHMS);
+    btManifoldResult result(&a, &b);
+    algorithm_->processCollision(&a, &b, btDispatcherInfo(), &result);
+  }
+
+  btPersistentManifold& Manifold() {
+    btManifoldArray manifolds;
+    algorithm_->getAllContactManifolds(manifolds);
+    return *manifolds[0];
+  }
+
+ private:
+  btCollisionDispatcher& dispatcher_;
+  btCollisionObject a_, b_;
+  btCollisionAlgorithm* algorithm_ = nullptr;
+};
+
+TEST(FailingAllocation, EachInTurn_NothingThrownAndMadeUpForLater) {
+  dgd_bullet::Options options = Counting();
+  options.on_first_fallback = nullptr;
+  int failures = 0;
+  const std::vector<ZooShape> zoo = MakeShapeZoo(1);
+  btBoxShape box(Vec(0.5, 0.5, 0.5));
+  for (const ZooShape& shape : zoo) {
+    SCOPED_TRACE(shape.name);
+    Dispatching undisturbed(Route::kConfiguration, options);
+    BarePair expected(undisturbed.dispatcher(), *shape.shape, box);
+    for (int step = 0; step < 3; ++step) expected.Step();
+    for (long n = 0; n < 1000; ++n) {
+      // Hulls that another pair has made are found again, on this thread: a new shape is not known to it.
+      Dispatching dispatching(Route::kConfiguration, options);
+      const std::vector<ZooShape> fresh = MakeShapeZoo(1);
+      BarePair pair(dispatching.dispatcher(), *fresh[std::size_t(&shape - zoo.data())].shape, box);
+      bool is_over = false;
+      {
+        const MemoryForSome memory(n);
+        for (int step = 0; step < 3; ++step) pair.Step();
+        is_over = memory.IsOver();
+      }
+      failures += dispatching.statistics().Fallbacks() > 0;
+      for (int step = 0; step < 3; ++step) pair.Step();
+      ASSERT_EQ(pair.Manifold().getNumContacts(), expected.Manifold().getNumContacts()) << n;
+      for (int i = 0; i < pair.Manifold().getNumContacts(); ++i) {
+        EXPECT_NEAR(double(pair.Manifold().getContactPoint(i).getDistance()),
+                    double(expected.Manifold().getContactPoint(i).getDistance()), kLength);
+      }
+      if (!is_over) break;
+    }
+  }
+  EXPECT_GT(failures, 20) << "hulls need memory";
+}
+
+}  // namespace
+}  // namespace dgd_test
