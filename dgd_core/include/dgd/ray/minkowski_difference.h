@@ -86,9 +86,12 @@ class MinkowskiDifference {
   MinkowskiDifference(const Set1& set_1, const Pose<S, L>& pose_1, const Set2& set_2, const Pose<S, L>& pose_2,
                       bool keep_radius_apart = true)
       : set_1_(set_1), set_2_(set_2), core_center_1_(set_1.core.Center()), core_center_2_(set_2.core.Center()) {
-    center_1_ = pose_1 * core_center_1_;
-    center_2_ = pose_2 * core_center_2_;
-    const Point p = center_2_ - center_1_;
+    const Point offset_1 = pose_1.rotation * core_center_1_, offset_2 = pose_2.rotation * core_center_2_;
+    center_1_ = offset_1 + pose_1.translation;
+    center_2_ = offset_2 + pose_2.translation;
+    // Not center_2_ - center_1_: far from the world's origin, these have lost digits that the translations' difference
+    // has. Test: HardCases, far_away.
+    const Point p = (pose_2.translation - pose_1.translation) + (offset_2 - offset_1);
     length_ = p.norm();
     const S radius = set_1.radius + set_2.radius;
     const S core_inradius = set_1.core.Inradius() + set_2.core.Inradius();
