@@ -21,7 +21,8 @@ enum class Status : std::uint8_t {
   kIterationLimit,     ///< The bounds are valid but apart by more than the tolerance.
   kStalled,            ///< As kIterationLimit: rounding allows no further progress.
   kNoInterior,         ///< Neither set has an interior: no growth distance exists (paper, Rem. 1).
-  kInvalidInput,       ///< NaN or infinity in a pose or radius, or from a core. No other field is usable.
+  kInvalidInput,  ///< NaN or infinity in a pose or radius, or from a core, or sizes of which the scalar cannot multiply
+                  ///< four (kLeastSize in ray/tolerances.h). No other field is usable.
 };
 
 /// When a query ends, whichever comes first.

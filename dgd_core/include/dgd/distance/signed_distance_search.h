@@ -54,7 +54,7 @@ class SignedDistanceSearch {
   ///                    direction.
   /// @param warm_start  Points of K that may be near; nullptr for none.
   Status Solve(const Result<S>& growth, const WarmStart<S>* warm_start) {
-    if (!difference_.IsFinite()) return Status::kInvalidInput;
+    if (!difference_.IsValid()) return Status::kInvalidInput;
     const Point normal = difference_.DirectionFromWorld(growth.normal).normalized();
     if (!normal.allFinite()) return Status::kInvalidInput;
     if (warm_start != nullptr) AddBasis(*warm_start);
@@ -71,7 +71,7 @@ class SignedDistanceSearch {
   /// the centres.
   /// @return kOptimal or kSeparated; anything else if they are not apart, or there is no state.
   Status SolveApart(const WarmStart<S>& last) {
-    if (!difference_.IsFinite()) return Status::kInvalidInput;
+    if (!difference_.IsValid()) return Status::kInvalidInput;
     is_apart_ = true;
     AddBasis(last);
     if (simplex_.Size() == 0) {

@@ -59,6 +59,17 @@ SquareMatrix<S, 2> FrameAlong(const Vector2<S>& axis) {
   return frame;
 }
 
+/// Whether a pair is of a size that the scalar can compute with: see kLeastSize. Not its extent, which nobody has asked
+/// for, but the middle between its inradii and its distance, if that is larger: sheets and needles may be thinner.
+/// @param length, inradius  The distance of the centres, and the sum of the inradii; metres. Flat sets, whose inradius
+///                          is 0, are in range.
+template <class S>
+bool IsInRange(S length, S inradius) {
+  constexpr S kLeastSizeSq = kLeastSize<S> * kLeastSize<S>;
+  const bool is_large = inradius * std::max(length, inradius) >= kLeastSizeSq || inradius == 0;
+  return is_large && inradius <= kGreatestSize<S>;  // False for NaN.
+}
+
 template <class Set1, class Set2>
 class MinkowskiDifference {
  public:
@@ -199,10 +210,10 @@ class MinkowskiDifference {
   const Point& Center1() const { return center_1_; }
   const Point& Center2() const { return center_2_; }
 
-  /// False for NaN or infinity anywhere in the poses or radii.
-  bool IsFinite() const {
+  /// False for NaN or infinity anywhere in the poses or radii, and for sizes out of the scalar's range.
+  bool IsValid() const {
     const S sum = to_frame_1_.sum() + to_frame_2_.sum() + length_ + inradius_ + center_1_.sum() + center_2_.sum();
-    return std::isfinite(sum);
+    return std::isfinite(sum) && IsInRange(length_, inradius_);
   }
 
  private:

@@ -45,7 +45,7 @@ template <class Set1, class Set2>
 }
 
 /// For a yes or no, the line of centres, which is the first direction of a query in any case, is such a normal too.
-/// @return NaN for coincident centres, and for sets without an interior, which are no query's.
+/// @return NaN for coincident centres, for sets without an interior, which are no query's, and for sizes out of range.
 template <class Set1, class Set2>
 VectorOf<typename Set1::Core> LineOfCenters(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
                                             const PoseOf<Set1>& pose_2) {
@@ -54,7 +54,9 @@ VectorOf<typename Set1::Core> LineOfCenters(const Set1& set_1, const PoseOf<Set1
   const S inradius = set_1.core.Inradius() + set_2.core.Inradius() + set_1.radius + set_2.radius;
   if (!(inradius > 0)) return Point::Constant(std::numeric_limits<S>::quiet_NaN());
   const Point between_centers = pose_2 * set_2.core.Center() - pose_1 * set_1.core.Center();
-  return pose_1.rotation.transpose() * Point(between_centers / between_centers.norm());
+  const S length = between_centers.norm();
+  if (!IsInRange(length, inradius)) return Point::Constant(std::numeric_limits<S>::quiet_NaN());
+  return pose_1.rotation.transpose() * Point(between_centers / length);
 }
 
 /// Whether the normal, the separation and the witness points are numbers.

@@ -37,7 +37,7 @@ class RayIntersection {
   /// @param observer  Called with an Iterate after each iteration.
   template <class Observer>
   Status Solve(Question question, WarmStart<S, L>* warm_start, Observer& observer) {
-    if (!difference_.IsFinite()) return Status::kInvalidInput;
+    if (!difference_.IsValid()) return Status::kInvalidInput;
     if (!(difference_.Inradius() > 0)) return Status::kNoInterior;
     const bool coincident = difference_.Length() <= kCoincidence<S> * difference_.Inradius();
     const Status status = coincident ? MeasureAlongAnyNormal(warm_start) : Improve(question, warm_start, observer);

@@ -49,4 +49,16 @@ inline constexpr S kSteep = S(0.01);
 template <class S>
 inline constexpr S kCoincidence = kEpsilon<S>;
 
+/// Sizes, in metres, between which products of four lengths, as barycentric weights and their heights are, are normal
+/// numbers with all their digits: the fourth roots of the least number over epsilon, and of the largest times epsilon.
+/// Below, answers were seen that the certificate refutes, and wrong ones to yes or no. Test: HardCases, *_sizes.
+template <class S>
+inline constexpr S kLeastSize = S(1e-73);
+template <>
+inline constexpr float kLeastSize<float> = 1.8e-8f;
+template <class S>
+inline constexpr S kGreatestSize = S(1e73);
+template <>
+inline constexpr float kGreatestSize<float> = 8e7f;
+
 }  // namespace dgd
