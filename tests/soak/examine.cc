@@ -6,12 +6,13 @@
 #include <ostream>
 #include <sstream>
 
-#include "soak/limits.h"
+#include "support/pairs/limits.h"
 
 namespace dgd_soak {
 namespace {
 
 using dgd_test::AnyPair;
+using dgd_test::Limits;
 using dgd_test::PairNumbers;
 using dgd_test::PoseNumbers;
 using dgd_test::Tally;

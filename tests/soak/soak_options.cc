@@ -35,7 +35,7 @@ Bounds:   on the way the lower one never falls and the upper one never rises, bu
 Limits:   in double a relative gap of the tolerance, primal infeasibility of 1e-12 of the pair's size,
           1e-10 with a curved core, beyond what the growth distance makes of the last digit of a
           witness point in the world; in float some units of rounding, and an answer may end short of the
-          tolerance where the rounding of its points says more; see tests/soak/limits.h.
+          tolerance where the rounding of its points says more; see tests/support/pairs/limits.h.
 Table:    iterations are support function evaluations, per query; figures are the worst of all;
           infeasibility, beyond that last digit, and separation error are relative to the pair's size.
 

@@ -1,4 +1,4 @@
-// What the soak lets pass: how far rounding alone may lead an answer astray. Everything else is a failure.
+// How far rounding alone may lead an answer astray. Everything else is a failure, to the soak and to the hard cases.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include "dgd/growth_distance.h"
 #include "support/pairs/any_pair.h"
 
-namespace dgd_soak {
+namespace dgd_test {
 
 /// Limits for one pair in its poses. S is the scalar of the query.
 template <class S>
@@ -32,9 +32,9 @@ struct Limits {
   double answer_floor;  ///< And this, absolute: where the ray's direction is rounding.
 
   template <int L>
-  Limits(const dgd_test::AnyPair<S, L>& pair, const dgd::Result<S, L>& result, bool is_curved, double tolerance) {
-    using Point = typename dgd_test::AnyPair<S, L>::Point;
-    const Point center_1 = pair.Center(dgd_test::Which::kFirst), center_2 = pair.Center(dgd_test::Which::kSecond);
+  Limits(const AnyPair<S, L>& pair, const dgd::Result<S, L>& result, bool is_curved, double tolerance) {
+    using Point = typename AnyPair<S, L>::Point;
+    const Point center_1 = pair.Center(Which::kFirst), center_2 = pair.Center(Which::kSecond);
     const double extent = pair.Extent();
     const double distance = (center_2 - center_1).norm();
     const double along = result.normal.template cast<double>().dot(center_2 - center_1);
@@ -48,8 +48,8 @@ struct Limits {
     // The certificate's lower bound is along / support: each carries the rounding of its own terms.
     const double gap_units = sizeof(S) == 8 ? kUnits : kPointUnits;
     gap = 1.001 * tolerance + gap_units * kEpsilon * (1 + reach / std::abs(along) + extent / support);
-    // Both points, in each coordinate.
-    carried = 2 * kEpsilon * growth_distance * reach;
+    // Both points, in each coordinate; and the certificate's own way back to the centres and into the sets.
+    carried = 4 * kEpsilon * (1 + growth_distance) * reach;
     if constexpr (sizeof(S) == 8) {
       primal = (is_curved ? 1e-10 : 1e-12) * size + carried;
     } else {
@@ -64,4 +64,4 @@ struct Limits {
   }
 };
 
-}  // namespace dgd_soak
+}  // namespace dgd_test
