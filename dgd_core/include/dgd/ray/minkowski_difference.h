@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 #include "dgd/convex_set.h"
@@ -213,7 +214,9 @@ class MinkowskiDifference {
   /// False for NaN or infinity anywhere in the poses or radii, and for sizes out of the scalar's range.
   bool IsValid() const {
     const S sum = to_frame_1_.sum() + to_frame_2_.sum() + length_ + inradius_ + center_1_.sum() + center_2_.sum();
-    return std::isfinite(sum) && IsInRange(length_, inradius_);
+    // Of flat sets nothing but their distance tells whether squares of their lengths vanish.
+    const bool has_vanished = inradius_ == 0 && length_ * length_ < std::numeric_limits<S>::min();
+    return std::isfinite(sum) && IsInRange(length_, inradius_) && !(has_vanished && center_1_ != center_2_);
   }
 
  private:
