@@ -21,9 +21,11 @@ struct Examination {
   bool is_wrong_yes_no = false;
   bool is_undecided_yes_no = false;  ///< Neither yes, no nor "touching".
   double relative_gap = 0;           ///< The certificate's.
-  double primal_infeasibility = 0;   ///< Of the pair's size.
+  double shortfall = 0;  ///< The same as a length: how far the plane lies before the witness, of the pair's size.
+  double primal_infeasibility = 0;  ///< Of the pair's size.
   int iterations = 0;
-  std::string remarks;  ///< Why not certified, and what is wrong; one line each.
+  double microseconds = 0;  ///< Of the growth distance: the least of three.
+  std::string remarks;      ///< Why not certified, and what is wrong; one line each.
 };
 
 /// Asks for the growth distance and for yes or no, cold, default settings, in scalar S (which the numbers are rounded

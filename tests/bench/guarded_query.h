@@ -1,0 +1,23 @@
+// Other people's code in a process of its own: where it never returns, or crashes, that is an answer too.
+#pragma once
+
+#include <chrono>
+
+#include "bench/hard_method.h"
+
+namespace dgd_bench {
+
+struct TimedAnswer {
+  HardAnswer answer;
+  double microseconds = 0;  ///< The least of the rounds.
+};
+
+/// @param rounds  Times that the query is asked.
+TimedAnswer AskAndTime(const HardQuery& query, int rounds);
+
+/// The same in a child process. One that does not end within `patience`, or ends otherwise than by an answer, has none,
+/// and the reason says so; its time is then as long as that took.
+/// @throws std::runtime_error if there can be no process.
+TimedAnswer AskInChild(const HardQuery& query, int rounds, std::chrono::milliseconds patience);
+
+}  // namespace dgd_bench

@@ -1,0 +1,353 @@
+// hard_cases: the catalogue of hard cases, asked of the growth distance and of others. See --help.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "bench/exit_status.h"
+#include "bench/guarded_query.h"
+#include "bench/hard_method.h"
+#include "program_main.h"
+#include "report/csv_file.h"
+#include "seed_option.h"
+#include "support/hard/distance_truth.h"
+#include "support/hard/examine.h"
+
+namespace dgd_bench {
+namespace {
+
+using dgd_test::DistanceTruth;
+using dgd_test::Examination;
+using dgd_test::HardCase;
+using dgd_test::HardClass;
+using dgd_test::PairNumbers;
+using dgd_test::Verdict;
+
+constexpr const char* kDescription =
+    R"(Asks the growth distance, Bullet's GJK and EPA, and FCL (libccd) about the hard cases of the tests:
+needles, size ratios, micrometres, exact contact of all features, flat sets, and what other engines'
+public issues report. Judges every answer by the pair's support functions alone.)";
+
+constexpr const char* kFooter = R"(
+Examples:
+  hard_cases                          all classes, Bullet in float: a minute
+  hard_cases_float64                  the same, Bullet in double
+  hard_cases --class rims --cases 2000
+  hard_cases --class rims --replay 17 all about one case
+  hard_cases --list                   the classes, and what is hard about each
+
+Rows:     growth distance, by its certificate, and its collision check; signed distance, Bullet and FCL by
+          the distance and the normal that they report. Each method is asked about the numbers as its
+          scalar rounds them.
+Columns:  cases that the method has sets for; share certified: of the growth distance by the certificate
+          within the limits of rounding, of the others where the supporting planes along the normal are as
+          far apart as the distance says; declined: gave up, said nothing, crashed, or did not end in half
+          a second; refuted: not borne out; wrong: apart said to overlap, or the opposite, by more than the tolerance; the
+          certificate's worst gap as a length, or how much of the distance or least translation the worst
+          normal misses, of answers that are not wrong, relative to the pair's size; the longest time in us,
+          each the least of --rounds.
+Tolerance: of the growth distance 64 units of the last digit of a coordinate; of the others 1e-9 of the
+          pair's size in double and 1e-5 in float, or --tolerance.
+
+Exit status: 0; 1 a growth distance was refuted or wrong; 2 wrong command line, or the output cannot be
+written.)";
+
+struct Options {
+  int cases = 200;
+  std::uint64_t seed = 1;
+  int rounds = 3;
+  double tolerance = 0;
+  std::string only;
+  std::filesystem::path csv;
+  std::optional<int> replay;
+  bool is_list = false;
+};
+
+std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
+  constexpr int kMost = 1'000'000;
+  Options options;
+  CLI::App app(kDescription, "hard_cases");
+  app.footer(kFooter);
+  std::vector<std::string> names;
+  for (const HardClass& hard_class : dgd_test::AllHardClasses()) names.emplace_back(hard_class.name);
+  const auto add_number = [&app](const char* name, int& number, const char* what) {
+    app.add_option(name, number, what)
+        ->type_name("N")
+        ->check(CLI::Range(1, kMost).description(""))
+        ->capture_default_str();
+  };
+  add_number("--cases", options.cases, "Cases of each class");
+  dgd_demos::AddSeedOption(app, options.seed, "Seed of the cases");
+  add_number("--rounds", options.rounds, "Times that each query is timed, of which the least counts");
+  app.add_option("--tolerance", options.tolerance, "Of distances and of yes or no, relative; 0 for the scalar's")
+      ->type_name("T")
+      ->check(CLI::Range(0.0, 0.1).description(""))
+      ->capture_default_str();
+  app.add_option("--class", options.only, "Only this class")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(names).description(""));
+  app.add_option("--csv", options.csv, "File for the table")->type_name("FILE");
+  app.add_option("--replay", options.replay, "Print every method's answer to the case of this index")
+      ->type_name("INDEX")
+      ->check(CLI::Range(0, kMost).description(""));
+  app.add_flag("--list", options.is_list, "List the classes");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& end) {
+    return app.exit(end, std::cout, std::cerr) == 0 ? kSuccess : kBadInput;
+  }
+  return options;
+}
+
+/// What one method makes of a class.
+struct Row {
+  int asked = 0, certified = 0, declined = 0, refuted = 0, wrong = 0;
+  double worst_error = 0;
+  double longest = 0;  // us
+};
+
+/// What is true of a case as one scalar rounds it.
+struct RoundedCase {
+  RoundedCase(const PairNumbers& exact, bool is_double, const Options& options)
+      : numbers(is_double ? exact : dgd_test::RoundedToFloat(exact)), truth(dgd_test::TruthOf(numbers)) {
+    tolerance = options.tolerance > 0 ? options.tolerance : is_double ? 1e-9 : 1e-5;
+    // And what the last digits of the coordinates leave open.
+    const double rounding =
+        is_double ? dgd_test::YesNoTolerance<double>(truth.reach, 0) : dgd_test::YesNoTolerance<float>(truth.reach, 0);
+    slack = tolerance * std::max(truth.size, truth.upper) + rounding;
+  }
+
+  PairNumbers numbers;
+  DistanceTruth truth;
+  double tolerance;
+  double slack;  // m
+};
+
+struct Judgement {
+  Verdict verdict = Verdict::kCertified;
+  bool is_wrong = false;
+  double error = 0;
+};
+
+/// Of an answer that is a distance and a normal.
+Judgement Judge(const RoundedCase& rounded, const HardAnswer& answer) {
+  if (!answer.distance) return {Verdict::kDeclined};
+  const DistanceTruth& truth = rounded.truth;
+  const double distance = *answer.distance;
+  Judgement judgement;
+  judgement.is_wrong = (distance <= 0 && truth.lower > rounded.slack) || (distance > 0 && truth.upper < -rounded.slack);
+  const double length = answer.normal.norm();
+  const bool is_unit = std::isfinite(distance) && std::abs(length - 1) <= std::max(rounded.tolerance, 1e-6);
+  if (!is_unit) return {Verdict::kRefuted, judgement.is_wrong, 0};
+  const double separation = dgd_test::SeparationAlong(rounded.numbers, answer.normal / length);
+  if (!(std::abs(separation - distance) <= rounded.slack)) judgement.verdict = Verdict::kRefuted;
+  if (!judgement.is_wrong)
+    judgement.error = std::max(0.0, truth.lower - separation) / std::max(truth.size, truth.upper);
+  return judgement;
+}
+
+struct Method {
+  const char* name;
+  bool is_double;
+  MakeHardQuery make;
+  bool is_ours = false;  // Others may never end.
+};
+
+std::vector<Method> AllMethods() {
+  return {{"signed distance, double", true, MakeSignedDistanceInDouble, true},
+          {"signed distance, float", false, MakeSignedDistanceInFloat, true},
+          {IsBulletInDouble() ? "Bullet float64" : "Bullet float", IsBulletInDouble(), MakeBulletHardQuery},
+          {"FCL (libccd), double", true, MakeFclHardQuery}};
+}
+
+constexpr std::array kGrowthDistances = {"growth distance, double", "growth distance, float"};
+
+void Take(const Judgement& judgement, double microseconds, Row& row) {
+  ++row.asked;
+  row.certified += judgement.verdict == Verdict::kCertified ? 1 : 0;
+  row.declined += judgement.verdict == Verdict::kDeclined ? 1 : 0;
+  row.refuted += judgement.verdict == Verdict::kRefuted ? 1 : 0;
+  row.wrong += judgement.is_wrong ? 1 : 0;
+  row.worst_error = std::max(row.worst_error, judgement.error);
+  row.longest = std::max(row.longest, microseconds);
+}
+
+Judgement JudgementOf(const Examination& examination) {
+  const double error = examination.growth_distance == Verdict::kCertified ? examination.shortfall : 0;
+  return {examination.growth_distance, examination.is_wrong_yes_no, error};
+}
+
+/// The rows of one class: the growth distances, then the other methods.
+struct ClassRows {
+  const HardClass* hard_class;
+  std::vector<Row> rows;
+};
+
+bool IsOfSpace(const HardCase& hard_case) { return dgd_test::InfoOf(hard_case.pair.set_1.type).dimension == 3; }
+
+/// A set that a method refuses to be made of counts as declined.
+std::unique_ptr<HardQuery> MakeQuery(const Method& method, const PairNumbers& numbers, bool& is_refused) try {
+  return method.make(numbers);
+} catch (const std::exception&) {
+  is_refused = true;
+  return nullptr;
+}
+
+TimedAnswer AskPatiently(const Method& method, const HardQuery& query, int rounds) {
+  constexpr std::chrono::milliseconds kPatience{500};  // A thousand times what the longest queries that end take.
+  return method.is_ours ? AskAndTime(query, rounds) : AskInChild(query, rounds, kPatience);
+}
+
+void AskMethod(const Method& method, const RoundedCase& rounded, const Options& options, Row& row) {
+  bool is_refused = false;
+  const std::unique_ptr<HardQuery> query = MakeQuery(method, rounded.numbers, is_refused);
+  if (is_refused) Take({Verdict::kDeclined}, 0, row);
+  if (query == nullptr) return;
+  const TimedAnswer timed = AskPatiently(method, *query, options.rounds);
+  Take(Judge(rounded, timed.answer), timed.microseconds, row);
+}
+
+ClassRows AskAll(const HardClass& hard_class, const std::vector<Method>& methods, const Options& options) {
+  ClassRows result{&hard_class, std::vector<Row>(kGrowthDistances.size() + methods.size())};
+  for (int index = 0; index < options.cases; ++index) {
+    const HardCase hard_case = dgd_test::MakeHardCase(hard_class, options.seed, index);
+    const Examination in_double = dgd_test::Examine<double>(hard_class, hard_case);
+    const Examination in_float = dgd_test::Examine<float>(hard_class, hard_case);
+    Take(JudgementOf(in_double), in_double.microseconds, result.rows[0]);
+    Take(JudgementOf(in_float), in_float.microseconds, result.rows[1]);
+    if (!IsOfSpace(hard_case)) continue;
+    try {
+      const RoundedCase as_double(hard_case.pair, true, options), as_float(hard_case.pair, false, options);
+      for (std::size_t m = 0; m < methods.size(); ++m) {
+        const RoundedCase& rounded = methods[m].is_double ? as_double : as_float;
+        AskMethod(methods[m], rounded, options, result.rows[kGrowthDistances.size() + m]);
+      }
+    } catch (const std::invalid_argument&) {
+      // Rounded, or at all, the numbers are no sets: nobody knows what is true.
+    }
+  }
+  return result;
+}
+
+std::string NameOfRow(std::size_t row, const std::vector<Method>& methods) {
+  return row < kGrowthDistances.size() ? kGrowthDistances[row] : methods[row - kGrowthDistances.size()].name;
+}
+
+void Print(const ClassRows& measured, const std::vector<Method>& methods) {
+  std::printf("%s: %s\n", measured.hard_class->name, measured.hard_class->why);
+  for (std::size_t i = 0; i < measured.rows.size(); ++i) {
+    const Row& row = measured.rows[i];
+    std::printf("  %-26s%8d", NameOfRow(i, methods).c_str(), row.asked);
+    if (row.asked == 0) {
+      std::printf("  unsupported\n");
+      continue;
+    }
+    std::printf("%10.2f%%%10d%9d%7d%10.1e%10.1f\n", 100.0 * row.certified / row.asked, row.declined, row.refuted,
+                row.wrong, row.worst_error, row.longest);
+  }
+  std::fflush(stdout);
+}
+
+void WriteCsv(const std::vector<ClassRows>& all, const std::vector<Method>& methods, const Options& options) {
+  dgd_demos::CsvFile file(options.csv);
+  file.stream() << "class,method,seed,cases,certified,declined,refuted,wrong,worst_error,longest_us\n";
+  for (const ClassRows& measured : all) {
+    for (std::size_t i = 0; i < measured.rows.size(); ++i) {
+      const Row& row = measured.rows[i];
+      file.stream() << measured.hard_class->name << ",\"" << NameOfRow(i, methods) << "\"," << options.seed << ','
+                    << row.asked << ',' << row.certified << ',' << row.declined << ',' << row.refuted << ','
+                    << row.wrong << ',' << row.worst_error << ',' << row.longest << '\n';
+    }
+  }
+  file.Flush();
+}
+
+void Replay(const HardClass& hard_class, const std::vector<Method>& methods, const Options& options) {
+  const HardCase hard_case = dgd_test::MakeHardCase(hard_class, options.seed, *options.replay);
+  std::cout << hard_class.name << ", case " << *options.replay << "\n" << dgd_test::Dump(hard_case.pair);
+  const auto print = [](const char* name, const Examination& examination) {
+    std::cout << name << ": " << NameOf(examination.growth_distance) << ", gap " << examination.relative_gap << "\n"
+              << examination.remarks;
+  };
+  print(kGrowthDistances[0], dgd_test::Examine<double>(hard_class, hard_case));
+  print(kGrowthDistances[1], dgd_test::Examine<float>(hard_class, hard_case));
+  if (!IsOfSpace(hard_case)) return;
+  for (const Method& method : methods) {
+    const RoundedCase rounded(hard_case.pair, method.is_double, options);
+    const std::unique_ptr<HardQuery> query = method.make(rounded.numbers);
+    std::cout << method.name << ": true distance " << rounded.truth.lower << " .. " << rounded.truth.upper << " m, ";
+    if (query == nullptr) {
+      std::cout << "unsupported\n";
+      continue;
+    }
+    const HardAnswer answer = AskPatiently(method, *query, 1).answer;
+    const Judgement judgement = Judge(rounded, answer);
+    std::cout << NameOf(judgement.verdict) << (judgement.is_wrong ? ", wrong" : "");
+    if (answer.distance) std::cout << ", says " << *answer.distance << " m along " << answer.normal.transpose();
+    std::cout << ' ' << answer.reason << '\n';
+  }
+}
+
+ExitStatus Run(const Options& options) {
+  const std::vector<Method> methods = AllMethods();
+  std::vector<const HardClass*> chosen;
+  for (const HardClass& hard_class : dgd_test::AllHardClasses()) {
+    if (options.is_list) std::printf("%-22s%s\n", hard_class.name, hard_class.why);
+    if (options.only.empty() || options.only == hard_class.name) chosen.push_back(&hard_class);
+  }
+  if (options.is_list) return kSuccess;
+  if (options.replay) {
+    std::cout.precision(std::numeric_limits<double>::max_digits10);
+    for (const HardClass* hard_class : chosen) Replay(*hard_class, methods, options);
+    return kSuccess;
+  }
+  std::printf("%d cases a class, seed %llu\n", options.cases, static_cast<unsigned long long>(options.seed));
+  std::printf("%-28s%8s%11s%10s%9s%7s%10s%10s\n", "", "cases", "certified", "declined", "refuted", "wrong", "error",
+              "us");
+  std::vector<ClassRows> all;
+  bool is_sound = true;
+  for (const HardClass* hard_class : chosen) {
+    all.push_back(AskAll(*hard_class, methods, options));
+    Print(all.back(), methods);
+    for (std::size_t i = 0; i < kGrowthDistances.size(); ++i) {
+      is_sound = is_sound && all.back().rows[i].refuted == 0 && all.back().rows[i].wrong == 0;
+    }
+  }
+  ClassRows total = all.front();
+  const HardClass all_classes{"all", "all of these", nullptr};
+  total.hard_class = &all_classes;
+  for (std::size_t c = 1; c < all.size(); ++c) {
+    for (std::size_t i = 0; i < total.rows.size(); ++i) {
+      Row& sum = total.rows[i];
+      const Row& row = all[c].rows[i];
+      sum.asked += row.asked;
+      sum.certified += row.certified;
+      sum.declined += row.declined;
+      sum.refuted += row.refuted;
+      sum.wrong += row.wrong;
+      sum.worst_error = std::max(sum.worst_error, row.worst_error);
+      sum.longest = std::max(sum.longest, row.longest);
+    }
+  }
+  Print(total, methods);
+  if (!options.csv.empty()) WriteCsv(all, methods, options);
+  return is_sound ? kSuccess : kFailedQuery;
+}
+
+}  // namespace
+}  // namespace dgd_bench
+
+int main(int argc, char** argv) {
+  return dgd_demos::RunProgram(dgd_bench::ParseCommandLine(argc, argv), dgd_bench::Run);
+}
