@@ -1,23 +1,24 @@
 #!/bin/sh
 # Speed against error on one page: installs what is missing, builds, measures, and writes out/report/index.html, the
 # same as report.md, and all figures as CSV and SVG. Some minutes of measuring; with --full about an hour; with --brief
-# seconds, to see that all of it runs. --out DIR for another folder.
+# seconds, to see that all of it runs. --out DIR for another folder; --no-build measures with what is built.
 set -eu
 root=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
 . "$root/demos/setup.sh"
 
-out=$root/out/report extent=short
+out=$root/out/report extent=short must_build=yes
 while [ $# -gt 0 ]; do
   case $1 in
     --full) extent=full ;;
     --brief) extent=brief ;;
+    --no-build) must_build=no ;;
     --out)
       [ $# -gt 1 ] || fail "--out needs a folder"
       out=$2
       shift
       ;;
     --out=*) out=${1#--out=} ;;
-    *) fail "no such option: $1 (there are --full, --brief and --out DIR)" ;;
+    *) fail "no such option: $1 (there are --full, --brief, --no-build and --out DIR)" ;;
   esac
   shift
 done
@@ -28,10 +29,12 @@ case $extent in
   brief) pairs=4 poses=2 count_pairs=2 replayed=50 seconds=1.5 seeds=1 ;;
 esac
 
-# shellcheck disable=SC2086 # lists of words
-install_packages $build_packages $test_packages python3-matplotlib
-configure -DDGD_BUILD_TESTS=ON
-build polytope_drop polytope_drop_float64 solution_times convergence narrowphase_replay narrowphase_replay_float64
+if [ "$must_build" = yes ]; then
+  # shellcheck disable=SC2086 # lists of words
+  install_packages $build_packages $test_packages python3-matplotlib
+  configure -DDGD_BUILD_TESTS=ON
+  build polytope_drop polytope_drop_float64 solution_times convergence narrowphase_replay narrowphase_replay_float64
+fi
 
 bench=$build_dir/tests/bench data=$out/data
 mkdir -p "$data"
