@@ -121,7 +121,10 @@ void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* bod
     return;
   }
   narrowphase_.FallBack(*m_dispatcher, body_0, body_1, info, *output);
-  if (owns_manifold_) output->refreshContactPoints();
+  if (owns_manifold_) {
+    output->refreshContactPoints();
+    DropPointsNowhere(*manifold_);
+  }
 }
 
 bool ConvexConvexAlgorithm::HasManifold(const btCollisionObjectWrapper* body_0,
@@ -354,6 +357,7 @@ void ConvexConvexAlgorithm::WriteContacts(const dgd::ContactPatch<double>& patch
   WritePatch(patch, normal, output);
   if (anchors) anchors->Restore(*manifold_);
   output.refreshContactPoints();
+  DropPointsNowhere(*manifold_);
   OrderByImpulse(*manifold_);
   manifold_->setContactBreakingThreshold(breaking_threshold);
 }

@@ -5,9 +5,20 @@
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace dgd_bullet {
+namespace {
+
+/// What Bullet makes of a contact are products of two lengths: in float, of 1e19 m they would be infinite.
+constexpr double kFarthest = 1e15;
+
+bool IsSomewhere(const dgd::ContactPoint<double>& point) {
+  return std::abs(point.separation) <= kFarthest && point.on_2.cwiseAbs().maxCoeff() <= kFarthest;
+}
+
+}  // namespace
 
 void DropStalePoints(btPersistentManifold& manifold, const dgd::ContactPatch<double>& patch) {
   const int cached = manifold.getNumContacts();
@@ -34,10 +45,17 @@ void DropStalePoints(btPersistentManifold& manifold, const dgd::ContactPatch<dou
   }
 }
 
+void DropPointsNowhere(btPersistentManifold& manifold) {
+  for (int i = manifold.getNumContacts() - 1; i >= 0; --i) {
+    if (!std::isfinite(manifold.getContactPoint(i).getDistance())) manifold.removeContactPoint(i);
+  }
+}
+
 void WritePatch(const dgd::ContactPatch<double>& patch, const Vector3& normal, btManifoldResult& output) {
   const btVector3 normal_on_b = ToBullet(-normal);
   for (int i = 0; i < patch.size; ++i) {
     const dgd::ContactPoint<double>& point = patch.points[static_cast<std::size_t>(i)];
+    if (!IsSomewhere(point)) continue;
     output.addContactPoint(normal_on_b, ToBullet(point.on_2), btScalar(point.separation));
   }
 }

@@ -15,7 +15,8 @@ namespace dgd_bullet {
 /// For manifolds that this pair owns only: a shared one holds other pairs' points.
 void DropStalePoints(btPersistentManifold& manifold, const dgd::ContactPatch<double>& patch);
 
-/// Hands the patch over. `normal` points from A to B, the shapes in the order of the call; Bullet's points from B to A.
+/// Hands the patch over, but for points beyond what Bullet can compute with. `normal` points from A to B, the shapes in
+/// the order of the call; Bullet's points from B to A.
 void WritePatch(const dgd::ContactPatch<double>& patch, const Vector3& normal, btManifoldResult& output);
 
 /// Puts the points that carried more in the last step first. Bullet's contact solver goes through a manifold in this
@@ -24,5 +25,8 @@ void WritePatch(const dgd::ContactPatch<double>& patch, const Vector3& normal, b
 /// without this, at 1.4 with it (float; double 94, 0.5; no resting contacts kept). For manifolds that this pair owns
 /// only.
 void OrderByImpulse(btPersistentManifold& manifold);
+
+/// Removes points whose distance, after a refresh, is no finite number: of bodies whose pose is no pose.
+void DropPointsNowhere(btPersistentManifold& manifold);
 
 }  // namespace dgd_bullet

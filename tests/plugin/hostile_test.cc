@@ -75,6 +75,31 @@ TEST_F(LyingShapes, OnceHonest_AnswersAreRight) {
   }
 }
 
+// Found by fuzz_plugin_world: lengths whose products are infinite in float.
+TEST(HostileWorld, BodiesAsLargeAsNumbersGo_OnlyFiniteContacts) {
+  Dispatching dispatching(Route::kConfiguration, Listening());
+  for (const double size : {1e14, 1e18, 1e25, 1e30, 3e38}) {
+    btSphereShape sphere{btScalar(size)};
+    btBoxShape box(Vec(size, size, size)), small(Vec(1, 1, 1));
+    btConvexShape* const shapes[] = {&sphere, &box, &small};
+    for (btConvexShape* a : shapes) {
+      for (btConvexShape* b : shapes) {
+        PairQuery pair(dispatching.dispatcher(), *a, *b);
+        for (const double distance : {0.0, 0.1, 0.5, 1.0}) {
+          pair.SetPoses(At(0, 0.3 * distance * size, distance * size), btTransform::getIdentity());
+          for (const Contact& contact : pair.Step()) EXPECT_TRUE(std::isfinite(contact.depth)) << size;
+          if (pair.manifold() == nullptr) continue;
+          for (int i = 0; i < pair.manifold()->getNumContacts(); ++i) {
+            const btManifoldPoint& point = pair.manifold()->getContactPoint(i);
+            EXPECT_TRUE(std::isfinite(point.getDistance())) << size;
+            EXPECT_TRUE(ToEigen(point.getPositionWorldOnA()).allFinite()) << size;
+          }
+        }
+      }
+    }
+  }
+}
+
 // The others of a heap do not notice, and the body is one of them again once its pose is.
 TEST(HostileWorld, BodyOfNaNPoseInAHeap_OthersStayFiniteAndItComesBack) {
   TestWorld world(Route::kConfiguration, Listening());
