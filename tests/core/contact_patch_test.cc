@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "dgd/growth_distance.h"
@@ -141,6 +142,20 @@ TEST(ContactPatch, TiltedBox_FarCornersOnlyIfTheyApproach) {
   const dgd::ContactPatch<double> patch = PatchOf(ground, At({0, 0, 0}), box, pose, all);
   ASSERT_EQ(patch.size, 4);
   for (const dgd::ContactPoint<double>& point : patch.points) EXPECT_GE(point.separation, -kTolerance);
+}
+
+// Found by fuzz_plugin_world: where the depth that is as good as the deepest is no number, the search for a corner of
+// that depth ran past the last one.
+TEST(ContactPatch, EqualDepthNaN_TheDeepestCornerIsKept) {
+  const dgd::RoundedSet box{dgd::Box<double>({1, 0.5, 0.25})};
+  const dgd::Pose<double> below = At({0, 0, 0}), above = At({1, 0, 0.499});
+  const dgd::Result<double> result = dgd::GrowthDistance(box, below, box, above);
+  const auto facing = dgd::FindFacingFaces(box, below, box, above, result, kAngularTolerance);
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const dgd::ContactPatch<double> patch = dgd::FindContactPatch(
+      result, facing, {.contact_distance = kContactDistance, .spacing = 0.01, .equal_depth = none}, Never);
+  ASSERT_GE(patch.size, 1);
+  EXPECT_NEAR(patch.points[0].separation, -0.001, kTolerance);
 }
 
 }  // namespace

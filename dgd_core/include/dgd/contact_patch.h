@@ -81,7 +81,10 @@ void Reduce(const CornerList<S>& corners, const PatchSettings<S>& settings, Corn
   // Another corner brings other three. Much deeper ones must be chosen: with a tenth of the tolerance in the place of a
   // hundredth, towers sway and piles creep (demos/contact_report).
   const S as_deep = corners[deepest].Separation() + settings.equal_depth / 100;
-  for (deepest = 0; !(corners[deepest].Separation() <= as_deep);) ++deepest;
+  // None is where the depth is not finite.
+  int first = 0;
+  while (first < deepest && !(corners[first].Separation() <= as_deep)) ++first;
+  deepest = first;
   kept.Add(corners[deepest]);
   if (settings.max_points == 1) return;
 
