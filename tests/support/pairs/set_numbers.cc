@@ -9,9 +9,10 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+/// Number by number: where Eigen casts there and back two at a time, g++ 12 drops both casts, from -O2 on.
 template <class Matrix>
 void RoundToFloat(Matrix& matrix) {
-  matrix = matrix.template cast<float>().template cast<double>().eval();
+  for (double& number : matrix.reshaped()) number = static_cast<double>(static_cast<float>(number));
 }
 
 void RoundToFloat(SetNumbers& set) {
