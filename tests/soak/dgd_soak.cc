@@ -12,7 +12,7 @@ namespace dgd_soak {
 namespace {
 
 ExitStatus Replay(const SoakOptions& options) {
-  const SoakCase soak_case = MakeCase(options.seed, *options.replay);
+  const SoakCase soak_case = MakeCase(options.seed, *options.replay, options.frames);
   std::cout << "case " << soak_case.index << ", placement " << NameOf(soak_case.placement) << ", growth distance "
             << (soak_case.growth_distance > 0 ? std::to_string(soak_case.growth_distance) : "unknown") << "\n"
             << Dump(soak_case.pair);

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 
 #include "support/run_program.h"
@@ -38,6 +39,17 @@ TEST(DgdSoak, SomePairsInDouble_NoneFails) {
 TEST(DgdSoak, SomePairsInFloat_NoneFails) {
   const Outcome outcome = RunSoak("--pairs 20000 --seed 2 --scalar float");
   EXPECT_EQ(outcome.status, 0) << outcome.output;
+}
+
+TEST(DgdSoak, ManyFrames_AreAskedOfEachPair) {
+  const Outcome outcome = RunSoak("--pairs 20 --frames 30 --types box --scalar double");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  std::istringstream row(outcome.output.substr(outcome.output.find("box-box")));
+  std::string name;
+  int pairs = 0, queries = 0;
+  row >> name >> pairs >> queries;
+  EXPECT_EQ(pairs, 20) << outcome.output;
+  EXPECT_EQ(queries, 20 * 31) << outcome.output;
 }
 
 TEST(DgdSoak, ResumedRun_EndsWithTheTablesOfAnUninterruptedOne) {
@@ -116,8 +128,8 @@ TEST(DgdSoak, Csv_HoldsALineForEachPairOfTypesAndScalar) {
 
 TEST(DgdSoak, WrongArguments_EndWithStatusTwo) {
   for (const char* arguments :
-       {"--pairs 0", "--seed -1", "--types boxes", "--scalar half", "--mode hot", "--threads 0", "--tolerance 2",
-        "--replay -1", "--resume /no/such/file", "--pairs 1 --state /no/such/folder/state",
+       {"--pairs 0", "--frames 0", "--seed -1", "--types boxes", "--scalar half", "--mode hot", "--threads 0",
+        "--tolerance 2", "--replay -1", "--resume /no/such/file", "--pairs 1 --state /no/such/folder/state",
         "--pairs 1 --csv /no/such/folder/csv", "--resume /dev/null"}) {
     const Outcome outcome = RunSoak(arguments);
     EXPECT_EQ(outcome.status, 2) << arguments << '\n' << outcome.output;

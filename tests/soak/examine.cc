@@ -39,7 +39,7 @@ class Examination {
 
   std::string Run() {
     dgd::WarmStart<S, L> warm_start, yes_no_start;
-    const int frames = query_.modes.warm ? 1 + kMotionFrames : 1;
+    const int frames = query_.modes.warm ? 1 + static_cast<int>(case_.motion.size()) : 1;
     for (frame_ = 0; frame_ < frames; ++frame_) {
       MoveToFrame();
       const dgd::Result<S, L> result = AskGrowthDistance(warm_start);

@@ -1,5 +1,6 @@
 #include "soak/soak_case.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -57,7 +58,7 @@ const std::vector<TypePair>& AllTypePairs() {
   return pairs;
 }
 
-SoakCase MakeCase(std::uint64_t seed, std::int64_t index) {
+SoakCase MakeCase(std::uint64_t seed, std::int64_t index, int frames) {
   Random random(Mix(Mix(seed) + static_cast<std::uint64_t>(index)));
   SoakCase soak_case{};
   soak_case.index = index;
@@ -75,7 +76,10 @@ SoakCase MakeCase(std::uint64_t seed, std::int64_t index) {
 
   const double extent = std::max(pair.set_1.lengths.maxCoeff(), pair.set_2.lengths.maxCoeff());
   dgd_test::PoseNumbers pose = pair.pose_2;
-  for (int frame = 0; frame < kMotionFrames; ++frame) {
+  soak_case.motion.reserve(static_cast<std::size_t>(frames));
+  for (int frame = 0; frame < frames; ++frame) {
+    // Products of so many rotations would drift from orthonormal.
+    if (frame > 0 && frame % 16 == 0) pose.rotation = Eigen::Quaterniond(pose.rotation).normalized().toRotationMatrix();
     pose = MovedALittle(random, pose, types.Dimension(), kMotion, extent);
     soak_case.motion.push_back(pose);
   }

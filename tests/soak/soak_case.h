@@ -19,6 +19,7 @@ struct TypePair {
 /// All of one dimension; case i is of the pair i modulo their number, in either order.
 const std::vector<TypePair>& AllTypePairs();
 
+/// After the first, unless asked otherwise.
 inline constexpr int kMotionFrames = 5;
 /// Between frames: of the extent, and in radians.
 inline constexpr double kMotion = 0.01;
@@ -34,6 +35,7 @@ struct SoakCase {
   std::vector<dgd_test::PoseNumbers> motion;
 };
 
-SoakCase MakeCase(std::uint64_t seed, std::int64_t index);
+/// @param frames  After the first; the first few are the same for any number of them.
+SoakCase MakeCase(std::uint64_t seed, std::int64_t index, int frames = kMotionFrames);
 
 }  // namespace dgd_soak

@@ -24,12 +24,16 @@ Examples:
   dgd_soak --pairs 10000000 --resume soak.state   goes on where that ended, to the same tables
   dgd_soak --types box,cone --scalar double       pairs of boxes and cones only
   dgd_soak --seed 1 --replay 4711                 all about one case
+  dgd_soak --pairs 1000000 --frames 999 --scalar double --mode cold,warm
+           --types point,segment,triangle,box,cylinder,cone,frustum,ellipsoid,polytope,affine-box
+                                                  1e9 certified answers: to make a pair takes
+                                                  longer than to ask a hundred times about it
 
 Sets:     every length log-uniform; of a set's longest to its shortest, up to 1000; half of them with
           a radius. Half of the pairs from deep inside each other to far apart; the others one of:
           touching exactly, nearly so, aligned along axes, centres on an axis, centres nearly
           coincident, far apart, or as before.
-Modes:    cold: each pair alone. warm: set 2 moves by 1 % in five frames, each from the last one's
+Modes:    cold: each pair alone. warm: set 2 moves by 1 % in --frames frames, each from the last one's
           warm start. yesno: the collision check must not contradict the growth distance.
 Bounds:   on the way the lower one never falls and the upper one never rises, but for rounding.
 Limits:   in double a relative gap of the tolerance, primal infeasibility of 1e-12 of the pair's size,
@@ -43,6 +47,7 @@ Exit status: 0 all went well; 1 a case failed; 2 wrong command line or state fil
 be written; 3 ended early, by Ctrl-C or SIGTERM.)";
 
 constexpr std::int64_t kMaxPairs = 1'000'000'000'000;
+constexpr int kMaxFrames = 100'000;
 constexpr int kMaxThreads = 256;
 
 std::string TypeNames() {
@@ -67,6 +72,10 @@ void AddCaseOptions(CLI::App& app, SoakOptions& options, Words& words) {
   app.add_option("--pairs", options.pairs, "Pairs of sets, of all types in turn")
       ->type_name("N")
       ->check(CLI::Range(std::int64_t{1}, kMaxPairs).description(""))
+      ->capture_default_str();
+  app.add_option("--frames", options.frames, "Warm queries of each pair, after the cold one")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMaxFrames).description(""))
       ->capture_default_str();
   dgd_demos::AddSeedOption(app, options.seed, "Seed of the random pairs");
   app.add_option("--types", words.types, "Both sets are of these types: " + TypeNames())
@@ -138,6 +147,7 @@ std::string SoakOptions::CaseOptions() const {
     if (modes.yes_no) list += ",yesno";
     out << " --mode " << list.substr(1);
   }
+  if (frames != kMotionFrames) out << " --frames " << frames;
   if (query.tolerance > 0) out << " --tolerance " << query.tolerance;
   return out.str();
 }

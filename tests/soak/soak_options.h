@@ -26,6 +26,7 @@ struct SoakOptions {
   std::vector<dgd_test::SetType> types;  ///< Both of a pair are among these; empty for all.
   bool in_double = true, in_float = true;
   Query query;
+  int frames = kMotionFrames;  ///< Of each pair, warm.
   int threads = 1;
   std::filesystem::path csv;    ///< Empty for none.
   std::filesystem::path state;  ///< Where the progress is kept; empty for nowhere.

@@ -66,7 +66,7 @@ std::string ComplaintsIn(const char* scalar, const SoakCase& soak_case, const Qu
 std::string ExamineCase(const SoakOptions& options, std::int64_t index, SoakState& state) {
   std::string complaints;
   try {
-    const SoakCase soak_case = MakeCase(options.seed, index);
+    const SoakCase soak_case = MakeCase(options.seed, index, options.frames);
     const std::size_t i = soak_case.type_pair;
     if (options.in_double) complaints += ComplaintsIn<double>("double", soak_case, options.query, state.in_double[i]);
     if (options.in_float) complaints += ComplaintsIn<float>("float", soak_case, options.query, state.in_float[i]);
