@@ -9,17 +9,22 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Number by number: where Eigen casts there and back two at a time, g++ 12 drops both casts, from -O2 on.
+/// By way of memory: where it casts there and back two at a time, g++ 12 drops both casts, from -O2 on.
+double RoundedToFloat(double number) {
+  const volatile float rounded = static_cast<float>(number);
+  return static_cast<double>(rounded);
+}
+
 template <class Matrix>
 void RoundToFloat(Matrix& matrix) {
-  for (double& number : matrix.reshaped()) number = static_cast<double>(static_cast<float>(number));
+  for (double& number : matrix.reshaped()) number = RoundedToFloat(number);
 }
 
 void RoundToFloat(SetNumbers& set) {
   RoundToFloat(set.lengths);
   RoundToFloat(set.stretch);
   for (Vector3d& point : set.points) RoundToFloat(point);
-  set.radius = static_cast<double>(static_cast<float>(set.radius));
+  set.radius = RoundedToFloat(set.radius);
 }
 
 void RoundToFloat(PoseNumbers& pose) {
