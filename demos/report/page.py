@@ -153,11 +153,11 @@ def losses(times, replays):
             for method in ("plain", "ie", "inc", "dcf", "dcol"):
                 if method not in methods:
                     continue
-                for key, name in (("p50_us", "median"), ("p99.99_us", "99.99 %")):
+                for key, name in (("p50_us", "half"), ("p99.99_us", "99.99 %")):
                     ratio = ours[key] / methods[method][key]
                     if ratio > 1:
-                        lines.append(f"{title}, {start}: {SHORT[method]} is ahead in the {name} of time, "
-                                     f"{methods[method][key]:.3g} against {ours[key]:.3g} us.")
+                        lines.append(f"{title}, {start}: {SHORT[method]} has answered {name} of the queries within "
+                                     f"{methods[method][key]:.3g} us each, ours within {ours[key]:.3g} us.")
     for precision, rows in replays.items():
         cold = {row["method"]: row for row in rows if row["pairs"] > 0}
         bullet = cold["bullet_gjk_epa"]
@@ -165,13 +165,13 @@ def losses(times, replays):
             ours = cold[method]
             for key in ("p0.01_us", "p25_us", "p50_us", "p75_us", "p99_us", "p99.99_us"):
                 if ours[key] > bullet[key]:
-                    lines.append(f"Recorded pairs, Bullet in {precision}: its GJK/EPA, {bullet[key]:.3g} us, is ahead of "
-                                 f"our signed distance asked {name}, {ours[key]:.3g} us, at {key[:-3].replace('p', '')} "
-                                 "% of the pairs.")
-            for key in ("normal_error_m_p50", "normal_error_m_p99", "normal_error_m_max"):
-                if ours[key] > max(bullet[key], 1e-12):
-                    lines.append(f"Recorded pairs, Bullet in {precision}: {key} of its GJK/EPA is {bullet[key]:.1e}, "
-                                 f"of ours {ours[key]:.1e}.")
+                    lines.append(f"recorded pairs, {name}: Bullet's GJK/EPA in {precision} has answered {key[1:-3]} % of "
+                                 f"them within {bullet[key]:.3g} us each, our signed distance within {ours[key]:.3g} us.")
+            for key, share in (("p50", "half of the pairs"), ("p99", "99 % of the pairs"), ("max", "all pairs")):
+                theirs, own = bullet[f"normal_error_m_{key}"], ours[f"normal_error_m_{key}"]
+                if own > max(theirs, 1e-12):
+                    lines.append(f"recorded pairs, {name}: the normals of Bullet's GJK/EPA in {precision} are within "
+                                 f"{theirs:.1e} m of the least translation for {share}, ours within {own:.1e} m.")
     return lines
 
 
@@ -282,7 +282,7 @@ def plot_replay(replays):
         axis.set(xscale="log", yscale="log", xlabel="time of a query: median to 99 % (us)",
                  title=f"Bullet in {precision}", ylim=(LEAST / 3, 1e3))
         axis.grid(alpha=0.3)
-        axis.legend(fontsize=7, loc="center right")
+        axis.legend(fontsize=7, loc="center left")
     axes[0][0].set_ylabel("error of the normal: median to worst (m)")
     return figure
 
