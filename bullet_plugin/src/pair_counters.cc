@@ -9,6 +9,11 @@ namespace {
 
 constexpr int kTypes = CONCAVE_SHAPES_START_HERE;
 
+/// Of the row of two types in a table of all.
+std::size_t IndexOf(int lower_type, int higher_type) {
+  return static_cast<std::size_t>(lower_type) * kTypes + static_cast<std::size_t>(higher_type);
+}
+
 void Increment(std::atomic<std::uint64_t>& counter) { counter.fetch_add(1, std::memory_order_relaxed); }
 
 void RaiseTo(double value, std::atomic<double>& largest) {
@@ -22,7 +27,7 @@ void RaiseTo(double value, std::atomic<double>& largest) {
 PairCounters::PairCounters() : rows_(std::size_t(kTypes) * kTypes) {}
 
 PairCounters::Row& PairCounters::RowOf(int type_0, int type_1) {
-  return rows_[static_cast<std::size_t>(std::min(type_0, type_1) * kTypes + std::max(type_0, type_1))];
+  return rows_[IndexOf(std::min(type_0, type_1), std::max(type_0, type_1))];
 }
 
 void PairCounters::Count(int type_0, int type_1, const PairOutcome& outcome) {
@@ -56,7 +61,7 @@ std::vector<PairStatistics> PairCounters::Read() const {
   const auto read = [](const Counter& counter) { return counter.load(std::memory_order_relaxed); };
   for (int type_0 = 0; type_0 < kTypes; ++type_0) {
     for (int type_1 = type_0; type_1 < kTypes; ++type_1) {
-      const Row& row = rows_[static_cast<std::size_t>(type_0 * kTypes + type_1)];
+      const Row& row = rows_[IndexOf(type_0, type_1)];
       PairStatistics pair;
       pair.type_0 = type_0;
       pair.type_1 = type_1;
