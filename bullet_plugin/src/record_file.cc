@@ -121,18 +121,14 @@ class Reader {
       if (block.empty()) return false;
       throw Damage("the file ends within a block");
     }
-    std::string_view head = block;
-    const auto kind = record::Take<std::uint32_t>(head);
-    const auto size = record::Take<std::uint32_t>(head);
-    std::string rest;
+    const auto [kind, size] = HeadFrom(block);
     if (size > kLargestBlock) throw Damage("a block of " + std::to_string(size) + " bytes");
-    if (!Read(size + sizeof(record::Checksum), rest)) throw Damage("the file ends within a block");
-    std::string_view content = rest;
-    std::string_view checksum = content.substr(size);
-    content.remove_suffix(sizeof(record::Checksum));
-    if (record::Take<record::Checksum>(checksum) != record::ChecksumOf(block.append(content))) {
+    const std::size_t checked = record::kBlockHeadSize + size;
+    if (!Read(checked + sizeof(record::Checksum), block)) throw Damage("the file ends within a block");
+    if (!HasChecksum(std::string_view(block).substr(0, checked), std::string_view(block).substr(checked))) {
       throw Damage("a block's checksum is wrong");
     }
+    const std::string_view content = std::string_view(block).substr(record::kBlockHeadSize, size);
     if (kind == record::kShapeBlock) {
       record.shapes.push_back(ShapeFrom(content));
     } else if (kind != record::kStepBlock) {
@@ -142,7 +138,7 @@ class Reader {
     } else {
       AddPairs<double>(content, record);
     }
-    place_ += block.size() + sizeof(record::Checksum);
+    place_ += block.size();
     return true;
   }
 
@@ -150,7 +146,20 @@ class Reader {
   std::size_t place() const { return place_; }
 
  private:
-  /// In pieces: a damaged size must not claim memory that the file does not fill.
+  struct BlockHead {
+    std::uint32_t kind, size;
+  };
+  static BlockHead HeadFrom(std::string_view bytes) {
+    const auto kind = record::Take<std::uint32_t>(bytes);
+    return {kind, record::Take<std::uint32_t>(bytes)};
+  }
+
+  static bool HasChecksum(std::string_view bytes, std::string_view checksum) {
+    return record::Take<record::Checksum>(checksum) == record::ChecksumOf(bytes);
+  }
+
+  /// More of the file, until `bytes` has so many. In pieces: a damaged size must not claim memory that the file does
+  /// not fill.
   bool Read(std::size_t size, std::string& bytes) {
     constexpr std::size_t kPiece = 1U << 16;
     while (bytes.size() < size && file_) {

@@ -53,6 +53,7 @@ void Append(std::string& bytes, const Number& number) {
 template <class Number>
 Number Take(std::string_view& bytes) {
   Number number;
+  // cppcheck-suppress invalidLifetime ; the number is no view of the bytes
   std::memcpy(&number, bytes.data(), sizeof(Number));
   bytes.remove_prefix(sizeof(Number));
   return number;

@@ -99,7 +99,9 @@ class MinkowskiDifference {
                       bool keep_radius_apart = true)
       : set_1_(set_1), set_2_(set_2), core_center_1_(set_1.core.Center()), core_center_2_(set_2.core.Center()) {
     const Point offset_1 = pose_1.rotation * core_center_1_, offset_2 = pose_2.rotation * core_center_2_;
+    // cppcheck-suppress useInitializationList
     center_1_ = offset_1 + pose_1.translation;
+    // cppcheck-suppress useInitializationList
     center_2_ = offset_2 + pose_2.translation;
     // Not center_2_ - center_1_: far from the world's origin, these have lost digits that the translations' difference
     // has. Test: HardCases, far_away.
