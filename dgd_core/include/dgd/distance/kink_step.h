@@ -10,11 +10,11 @@
 // their simplex that is nearest to the origin: sequential quadratic programming.
 #pragma once
 
-#include <Eigen/LU>
 #include <array>
 #include <cmath>
 #include <cstddef>
 
+#include "dgd/invert.h"
 #include "dgd/types.h"
 
 namespace dgd {
@@ -58,7 +58,9 @@ bool StepOnKink(const Vector3<S>& normal, const Eigen::Matrix<S, 2, 3>& tangents
   const auto lead = [&](std::size_t i) -> S { return normal.dot(first.point - pieces[i].point); };
   Vector2<S> step;
   if (pieces.size == 1) {
-    step = -hessian.inverse() * gradient;
+    SquareMatrix<S, 2> inverse;
+    if (!Invert(hessian, inverse)) return false;
+    step = -inverse * gradient;
   } else if (pieces.size == 2) {
     const Vector2<S> a = slope(1);
     const S length_sq = a.squaredNorm();
@@ -71,7 +73,9 @@ bool StepOnKink(const Vector3<S>& normal, const Eigen::Matrix<S, 2, 3>& tangents
   } else {
     SquareMatrix<S, 2> slopes;
     slopes << slope(1).transpose(), slope(2).transpose();
-    step = slopes.inverse() * Vector2<S>(lead(1), lead(2));
+    SquareMatrix<S, 2> inverse;
+    if (!Invert(slopes, inverse)) return false;
+    step = inverse * Vector2<S>(lead(1), lead(2));
   }
   const S length = step.norm();
   if (!std::isfinite(length)) return false;

@@ -28,7 +28,10 @@ NormalStep<S> StepFrom(const Vector3<S>& normal, const Vector3<S>& point, const 
   NormalStep<S> result;
   const SquareMatrix<S, 2> hessian = curvature - normal.dot(point) * SquareMatrix<S, 2>::Identity();
   const S determinant = hessian(0, 0) * hessian(1, 1) - hessian(0, 1) * hessian(1, 0);
-  if (!(determinant > 0 && hessian(0, 0) > 0 && std::isfinite(determinant))) return result;
+  // Comparisons that raise nothing for NaN: pieces without a derivative are nothing unusual.
+  if (!(std::isgreater(determinant, S(0)) && std::isgreater(hessian(0, 0), S(0)) && std::isfinite(determinant))) {
+    return result;
+  }
   const Vector2<S> gradient = tangents * point;
   Vector2<S> step(hessian(0, 1) * gradient.y() - hessian(1, 1) * gradient.x(),
                   hessian(1, 0) * gradient.x() - hessian(0, 0) * gradient.y());

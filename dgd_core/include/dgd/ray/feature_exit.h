@@ -52,7 +52,7 @@ template <class S>
   if (!PointUpwards<S, 3>(normal.cross, exit)) return false;
   const Vector3<S> shift = rounding * exit.normal;
   const Vector3<S> shifted_a = a + shift, shifted_b = b + shift, shifted_c = c + shift;
-  const S area = std::abs(normal.cross.z()), border_error = rounding * normal.error + corner_error;
+  const S area = std::abs(normal.cross.z()), border_error = rounding * normal.Error() + corner_error;
   if (!WeighSliver(shifted_a, shifted_b, shifted_c, area, border_error, exit.weights)) return false;
   MoveAlongSides<S, 2>({shifted_a.template head<2>(), shifted_b.template head<2>(), shifted_c.template head<2>()},
                        Vector2<S>::Zero(), exit.weights);

@@ -45,24 +45,32 @@ template <class Set1, class Set2>
 }
 
 /// For a yes or no, the line of centres, which is the first direction of a query in any case, is such a normal too.
-/// @return NaN for coincident centres, for sets without an interior, which are no query's, and for sizes out of range.
+/// @param normal_1  Set to it in set 1's frame.
+/// @return false for coincident centres, for sets without an interior, which are no query's, and for sizes out of
+/// range.
 template <class Set1, class Set2>
-VectorOf<typename Set1::Core> LineOfCenters(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
-                                            const PoseOf<Set1>& pose_2) {
+bool FindLineOfCenters(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2, const PoseOf<Set1>& pose_2,
+                       VectorOf<typename Set1::Core>& normal_1) {
   using S = typename Set1::Scalar;
   using Point = VectorOf<typename Set1::Core>;
   const S inradius = set_1.core.Inradius() + set_2.core.Inradius() + set_1.radius + set_2.radius;
-  if (!(inradius > 0)) return Point::Constant(std::numeric_limits<S>::quiet_NaN());
+  if (!(inradius > 0)) return false;
   const Point between_centers = pose_2 * set_2.core.Center() - pose_1 * set_1.core.Center();
-  const S length = between_centers.norm();
-  if (!IsInRange(length, inradius)) return Point::Constant(std::numeric_limits<S>::quiet_NaN());
-  return pose_1.rotation.transpose() * Point(between_centers / length);
+  const S distance = between_centers.norm();
+  if (!(distance > 0 && IsInRange(distance, inradius))) return false;
+  normal_1 = pose_1.rotation.transpose() * Point(between_centers / distance);
+  return true;
 }
 
-/// Whether the normal, the separation and the witness points are numbers.
+/// Whether the result is made of numbers; the upper bound alone may be infinite.
 template <class S, int L>
 bool IsFinite(const Result<S, L>& result) {
-  return std::isfinite(result.normal.sum() + result.separation + result.witness_1.sum() + result.witness_2.sum());
+  const S sum = result.normal.sum() + result.separation + result.witness_1.sum() + result.witness_2.sum();
+  return std::isfinite(sum + result.lower_bound) && result.lower_bound <= result.upper_bound;  // False for NaN.
+}
+template <class S, int L>
+bool IsFinite(const CollisionResult<S, L>& result) {
+  return std::isfinite(result.normal.sum() + result.separation + result.point.sum());
 }
 
 template <class Set1, class Set2, class Observer>
@@ -86,10 +94,8 @@ template <class Set1, class Set2, class Observer>
   result.separation = query.Separation();
   result.witness_1 = query.Witness1();
   result.witness_2 = query.Witness2();
-  // A support function that gave no number leaves no plane: such a query cannot end as optimal.
-  if (result.status != Status::kOptimal && result.status != Status::kSeparated && !IsFinite(result)) {
-    result.status = Status::kInvalidInput;
-  }
+  // A support function gave no number, or the sets are so small or large that their squares are none.
+  if (!IsFinite(result)) result.status = Status::kInvalidInput;
   return result;
 }
 
@@ -103,13 +109,14 @@ CollisionResultOf<Set1> DetectCollision(const Set1& set_1, const PoseOf<Set1>& p
   using Point = VectorOf<typename Set1::Core>;
   const bool is_cold = warm_start == nullptr || !HasNormal(*warm_start);
   Point normal_1, top_1;
+  bool may_be_apart = false;
   if (is_cold) {
-    normal_1 = LineOfCenters(set_1, pose_1, set_2, pose_2);
+    may_be_apart = FindLineOfCenters(set_1, pose_1, set_2, pose_2, normal_1);
   } else {
     normal_1 = warm_start->normal_1;
+    may_be_apart = WereApart(warm_start);
   }
-  if ((is_cold || WereApart(warm_start)) &&
-      SeparatedAlong(normal_1, set_1, pose_1, set_2, pose_2, S(0), apart, top_1)) {
+  if (may_be_apart && SeparatedAlong(normal_1, set_1, pose_1, set_2, pose_2, S(0), apart, top_1)) {
     if (is_cold && warm_start != nullptr) {
       *warm_start = {};
       warm_start->normal_1 = normal_1.normalized();
@@ -119,6 +126,7 @@ CollisionResultOf<Set1> DetectCollision(const Set1& set_1, const PoseOf<Set1>& p
     result.normal = apart.normal;
     result.separation = apart.separation;
     result.point = top_1 + apart.separation / 2 * apart.normal;
+    if (!IsFinite(result)) result.status = Status::kInvalidInput;
     return result;
   }
   RayIntersection<Set1, Set2> query(set_1, pose_1, set_2, pose_2, settings);
@@ -141,6 +149,7 @@ CollisionResultOf<Set1> DetectCollision(const Set1& set_1, const PoseOf<Set1>& p
     default:
       break;
   }
+  if (!IsFinite(result)) result.status = Status::kInvalidInput;  // As above.
   return result;
 }
 

@@ -88,7 +88,7 @@ class SecondOrderSearch {
       Feature& piece = pieces_[static_cast<std::size_t>(i)];
       const CurvedDifferencePoint<S, L> moved = difference.FromFeatures(piece.feature_1, piece.feature_2, normal);
       if (!moved.derivative.allFinite()) return false;
-      step.Add(moved, difference.Rounding());
+      if (!step.Add(moved, difference.Rounding())) return false;
       piece = moved.support;
     }
     if (!step.Solve()) return false;

@@ -21,12 +21,12 @@
 // monotone and certain whatever the step was worth.
 #pragma once
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 
+#include "dgd/invert.h"
 #include "dgd/ray/minkowski_difference.h"
 #include "dgd/ray/tolerances.h"
 #include "dgd/types.h"
@@ -47,12 +47,16 @@ class SecondOrderStep {
 
   /// Adds a piece by its support point along the normal; at most kMaxPieces.
   /// @param rounding  What is kept apart of the support points' radius, metres.
-  void Add(const CurvedDifferencePoint<S, L>& piece, S rounding) {
+  /// @return false if its plane passes through the origin, where it has no model; it is not added then.
+  bool Add(const CurvedDifferencePoint<S, L>& piece, S rounding) {
     const Point on_surface = piece.support.point + rounding * normal_;
+    const S height = normal_.dot(on_surface) / normal_[L - 1];
+    if (height == 0) return false;
     Piece& added = pieces_[static_cast<std::size_t>(size_++)];
     added.gradient = on_surface.template head<L - 1>();
-    added.height = normal_.dot(on_surface) / normal_[L - 1];
-    added.hessian = normal_[L - 1] * piece.derivative + added.gradient * added.gradient.transpose() / added.height;
+    added.height = height;
+    added.hessian = normal_[L - 1] * piece.derivative + added.gradient * added.gradient.transpose() / height;
+    return true;
   }
 
   /// Finds the step; false if there is none. Few pieces have few subsets: the minimum is where one of them is active.
@@ -109,7 +113,7 @@ class SecondOrderStep {
       for (std::size_t i = 0; i < subset.size; ++i) {
         hessian += std::max(subset.multipliers[i], S(0)) * subset.pieces[i]->hessian;
       }
-      Minimize(hessian, subset);
+      if (!Minimize(hessian, subset)) return false;
     }
     if (!step_.allFinite()) return false;
     for (std::size_t i = 0; i < subset.size; ++i) {
@@ -126,19 +130,21 @@ class SecondOrderStep {
   }
 
   /// Finds the lowest point among those where all pieces of the subset are equally high, and their multipliers there.
-  void Minimize(const Matrix& hessian, Subset& subset) {
-    if (subset.size == 1) {
-      step_ = -(hessian.inverse() * subset.pieces[0]->gradient);
-      subset.multipliers[0] = 1;
-    } else if (subset.size == L) {
-      IntersectPlanes(hessian, subset);
-    } else if constexpr (L == 3) {
-      FollowLine(hessian, subset);
+  /// False if there is none, or more than one: pieces that are alike, or have no curvature.
+  bool Minimize(const Matrix& hessian, Subset& subset) {
+    if (subset.size == L) return IntersectPlanes(hessian, subset);
+    if constexpr (L == 3) {
+      if (subset.size == 2) return FollowLine(hessian, subset);
     }
+    Matrix inverse;
+    if (!Invert(hessian, inverse)) return false;
+    step_ = -(inverse * subset.pieces[0]->gradient);
+    subset.multipliers[0] = 1;
+    return true;
   }
 
   /// As many pieces as planes that meet in a point.
-  void IntersectPlanes(const Matrix& hessian, Subset& subset) {
+  bool IntersectPlanes(const Matrix& hessian, Subset& subset) {
     const Piece& last = *subset.pieces[L - 1];
     Matrix edges;
     Across rises;
@@ -147,24 +153,29 @@ class SecondOrderStep {
       edges.col(i) = piece.gradient - last.gradient;
       rises[i] = last.height - piece.height;
     }
-    const Matrix inverse = edges.inverse();
+    Matrix inverse;
+    if (!Invert(edges, inverse)) return false;
     step_ = inverse.transpose() * rises;
     const Across multipliers = inverse * -(hessian * step_ + last.gradient);
     for (int i = 0; i < L - 1; ++i) subset.multipliers[static_cast<std::size_t>(i)] = multipliers[i];
     subset.multipliers[L - 1] = 1 - multipliers.sum();
+    return true;
   }
 
   /// Two pieces in space: to where their planes meet, and along that line to the lowest point.
-  void FollowLine(const Matrix& hessian, Subset& subset) requires(L == 3) {
+  bool FollowLine(const Matrix& hessian, Subset& subset) requires(L == 3) {
     const Piece &first = *subset.pieces[0], &second = *subset.pieces[1];
     const Across edge = first.gradient - second.gradient;
     const S length_sq = edge.squaredNorm();
+    if (!(length_sq > 0)) return false;
     const Across to_line = (second.height - first.height) / length_sq * edge;
     const Across along(-edge.y(), edge.x());
     const S curvature = along.dot(hessian * along);
+    if (curvature == 0) return false;
     step_ = to_line - along.dot(second.gradient + hessian * to_line) / curvature * along;
     subset.multipliers[0] = -edge.dot(hessian * step_ + second.gradient) / length_sq;
     subset.multipliers[1] = 1 - subset.multipliers[0];
+    return true;
   }
 
   std::size_t Size() const { return static_cast<std::size_t>(size_); }

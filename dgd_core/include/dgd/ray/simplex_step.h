@@ -42,14 +42,20 @@ struct SimplexStep {
     next = outgoing == 2 ? 0 : outgoing + 1;
     last = outgoing == 0 ? 2 : outgoing - 1;
     direction = (*corners[last] - *corners[next]).cross(added - *corners[next]);
-    normal = 1 / direction.norm() * direction;
+    // A triangle that is a line, or one seen edge-on, has no weights to be certain of.
+    is_certain = false;
+    const S twice_area = direction.norm();
+    if (!(twice_area > 0)) return;
+    normal = 1 / twice_area * direction;
 
     const Vector3<S> shift = rounding * normal;
     const MovedPoint a = Moved(*corners[next], shift), b = Moved(*corners[last], shift), c = Moved(added, shift);
     // Without a radius the ratio test has worked out two of the three areas already.
     const S area_added = Cross(a, b);
     const S area_a = kRounded ? Cross(b, c) : -turns[last], area_b = kRounded ? Cross(c, a) : turns[next];
-    const S area = area_added + area_a + area_b, per_area = 1 / area;
+    const S area = area_added + area_a + area_b;
+    if (!(area > 0)) return;
+    const S per_area = 1 / area;
     weights = {area_added * per_area, area_a * per_area, area_b * per_area};
     height = weights[0] * c.z() + weights[1] * a.z() + weights[2] * b.z();
 

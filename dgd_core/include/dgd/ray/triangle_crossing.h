@@ -141,14 +141,18 @@ void MoveFromLongestSide(const std::array<Vector<S, D>, 3>& corners, const Vecto
                          std::array<S, 3>& weights) {
   const std::size_t from = LongestSide<S, D>(corners), to = (from + 1) % 3, top = (from + 2) % 3;
   const Vector<S, D> side = corners[to] - corners[from], slanted = corners[top] - corners[from];
+  const S length_sq = side.squaredNorm();
+  if (!(length_sq > 0)) return;  // Corners in a point.
   // The foot of the corner's altitude is on the longest side.
-  const S foot = std::clamp(slanted.dot(side) / side.squaredNorm(), S(0), S(1));
+  const S foot = std::clamp(slanted.dot(side) / length_sq, S(0), S(1));
   const Vector<S, D> altitude = slanted - foot * side;
+  const S altitude_sq = altitude.squaredNorm();
+  if (!(altitude_sq > 0)) return;  // On a line.
   const Vector<S, D> off = OffTarget(corners, weights, target);
-  S shift = std::max(-weights[top], -off.dot(altitude) / altitude.squaredNorm());
+  S shift = std::max(-weights[top], -off.dot(altitude) / altitude_sq);
   if (foot < 1) shift = std::min(shift, weights[from] / (1 - foot));
   if (foot > 0) shift = std::min(shift, weights[to] / foot);
-  if (!std::isfinite(shift)) return;  // Corners on a line.
+  if (!std::isfinite(shift)) return;  // Or nearly so.
   weights[top] += shift;
   weights[from] -= shift * (1 - foot);
   weights[to] -= shift * foot;
@@ -163,11 +167,14 @@ struct SliverNormal {
     const S longest = std::max({length_ab, length_bc, length_ca});
     const bool is_ab = longest == length_ab, is_bc = !is_ab && longest == length_bc;
     cross = is_ab ? bc.cross(ca) : is_bc ? ca.cross(ab) : ab.cross(bc);
-    const S short_sides_sq = is_ab ? length_bc * length_ca : is_bc ? length_ca * length_ab : length_ab * length_bc;
-    error = kWeightSlack<S> * std::sqrt(short_sides_sq / cross.squaredNorm());
+    short_sides_sq = is_ab ? length_bc * length_ca : is_bc ? length_ca * length_ab : length_ab * length_bc;
   }
+
+  /// Of the unit normal, radians: the flatter the corner, the larger. For a sliver that has an area.
+  S Error() const { return kWeightSlack<S> * std::sqrt(short_sides_sq / cross.squaredNorm()); }
+
   Vector3<S> cross;  // As long as twice the sliver's area.
-  S error;           // Of the unit normal, radians: the flatter the corner, the larger.
+  S short_sides_sq;  // Product of their squared lengths.
 };
 
 }  // namespace dgd::ray_internal
