@@ -50,12 +50,13 @@ template <class S>
 inline constexpr S kCoincidence = kEpsilon<S>;
 
 /// Sizes, in metres, between which products of four lengths, as barycentric weights and their heights are, are normal
-/// numbers with all their digits: the fourth roots of the least number over epsilon, and of the largest times epsilon.
-/// Below, answers were seen that the certificate refutes, and wrong ones to yes or no. Test: HardCases, *_sizes.
+/// numbers: the fourth roots of the least and of the largest number, with room for most of the digits; float, which has
+/// none to spare, gives up a few, so that micrometres are in range. Below, answers were seen that the certificate
+/// refutes, and wrong ones to yes or no. Test: HardCases, subnormal_sizes.
 template <class S>
 inline constexpr S kLeastSize = S(1e-73);
 template <>
-inline constexpr float kLeastSize<float> = 1.8e-8f;
+inline constexpr float kLeastSize<float> = 4e-9f;
 template <class S>
 inline constexpr S kGreatestSize = S(1e73);
 template <>
