@@ -1,0 +1,132 @@
+// dgd_stir: a heap that is stirred while its bodies come and go, for as long as one likes. See --help.
+#include <malloc.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <variant>
+#include <vector>
+
+#include "program_main.h"
+#include "report/progress_bar.h"
+#include "seed_option.h"
+#include "soak/stirred_heap.h"
+
+namespace dgd_soak {
+namespace {
+
+constexpr const char* kDescription =
+    R"(Stirs a heap of bodies of all convex types with a paddle; ten times a second one of them is removed, its shape freed,
+and another falls in. Memory and manifolds in use must not grow, and nothing may be anything but finite.)";
+
+constexpr const char* kFooter = R"(
+The run is told in ten parts: bytes in use on the heap and manifolds in use, the most of each part; contacts, the mean.
+
+Exit status: 0; 1 something grew, or was not finite, or a body left the pit; 2 wrong command line.)";
+
+enum ExitStatus { kSuccess = 0, kFailed = 1, kBadInput = 2 };
+
+struct Options {
+  double minutes = 30;
+  int bodies = 200;
+  std::uint64_t seed = 1;
+};
+
+std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
+  Options options;
+  CLI::App app(kDescription, "dgd_stir");
+  app.footer(kFooter);
+  app.add_option("--minutes", options.minutes, "Simulated minutes")
+      ->type_name("M")
+      ->check(CLI::Range(0.05, 1e5).description(""))
+      ->capture_default_str();
+  app.add_option("--bodies", options.bodies, "In the pit at a time")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000).description(""))
+      ->capture_default_str();
+  dgd_demos::AddSeedOption(app, options.seed, "Of the bodies that come and go");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& end) {
+    return app.exit(end, std::cout, std::cerr) == 0 ? kSuccess : kBadInput;
+  }
+  return options;
+}
+
+/// What a part of the run came to.
+struct Part {
+  std::size_t most_bytes = 0;
+  int most_manifolds = 0, most_escaped = 0;
+  double contacts = 0;  ///< A step.
+  long steps = 0;
+};
+constexpr std::size_t kParts = 10;
+using Parts = std::array<Part, kParts>;
+
+void Take(StirredHeap& heap, Part& part) {
+  ++part.steps;
+  part.most_bytes = std::max(part.most_bytes, mallinfo2().uordblks);
+  part.most_manifolds = std::max(part.most_manifolds, heap.Manifolds());
+  part.most_escaped = std::max(part.most_escaped, heap.Escaped());
+  part.contacts += heap.Contacts();
+}
+
+/// The last half against the first, which has the heap's settling in it. The first part, of a heap in the air, is left
+/// out. Some percent are chance: the most of some thousand steps.
+template <class Figure>
+bool Grew(const Parts& parts, Figure&& figure) {
+  constexpr double kChance = 1.1;
+  constexpr std::size_t kMiddle = kParts / 2;
+  double before = 0, after = 0;
+  for (std::size_t i = 1; i < kParts; ++i) {
+    double& most = i < kMiddle ? before : after;
+    most = std::max(most, double(figure(parts[i])));
+  }
+  return after > kChance * before;
+}
+
+ExitStatus Judge(const Options& options, const StirredHeap& heap, const Parts& parts, bool is_finite) {
+  std::printf("%d bodies, %.4g simulated minutes, %d replaced, seed %llu\n", options.bodies, options.minutes,
+              heap.Replaced(), static_cast<unsigned long long>(options.seed));
+  std::printf("part   heap in use, MB   manifolds   contacts   out of the pit\n");
+  for (std::size_t i = 0; i < kParts; ++i) {
+    const Part& part = parts[i];
+    std::printf("%4zu %17.3f %11d %10.0f %16d\n", i + 1, double(part.most_bytes) / 1e6, part.most_manifolds,
+                part.contacts / double(std::max(part.steps, 1L)), part.most_escaped);
+  }
+  const dgd_bullet::Statistics counts = heap.statistics();
+  std::printf("fallbacks: %llu not converged, %llu without interior, %llu invalid, %llu without memory\n",
+              static_cast<unsigned long long>(counts.fallbacks_not_converged),
+              static_cast<unsigned long long>(counts.fallbacks_no_interior),
+              static_cast<unsigned long long>(counts.fallbacks_invalid),
+              static_cast<unsigned long long>(counts.fallbacks_no_memory));
+  const bool is_flat = !Grew(parts, [](const Part& part) { return double(part.most_bytes); }) &&
+                       !Grew(parts, [](const Part& part) { return double(part.most_manifolds); });
+  const bool is_kept = std::ranges::all_of(parts, [](const Part& part) { return part.most_escaped == 0; });
+  std::printf("%s; %s; %s\n", is_finite ? "all finite" : "NOT FINITE", is_flat ? "nothing grew" : "GREW",
+              is_kept ? "no body left the pit" : "A BODY LEFT THE PIT");
+  return is_finite && is_flat && is_kept ? kSuccess : kFailed;
+}
+
+ExitStatus Run(const Options& options) {
+  StirredHeap heap(options.bodies, options.seed);
+  const long steps = std::max(1L, std::lround(60 * options.minutes / StirredHeap::kTimeStep));
+  dgd_demos::ProgressBar progress("stirring", double(steps));
+  Parts parts{};
+  bool is_finite = true;
+  for (long step = 0; step < steps && is_finite; ++step) {
+    heap.Step();
+    is_finite = heap.IsFinite();
+    Take(heap, parts[static_cast<std::size_t>(step) * kParts / static_cast<std::size_t>(steps)]);
+    progress.Update(double(step + 1));
+  }
+  return Judge(options, heap, parts, is_finite);
+}
+
+}  // namespace
+}  // namespace dgd_soak
+
+int main(int argc, char** argv) { return dgd_demos::RunProgram(dgd_soak::ParseCommandLine(argc, argv), dgd_soak::Run); }
