@@ -218,7 +218,7 @@ TEST_F(RecorderTest, NotClosed_IsReadToItsEndAndSaysSo) {
 TEST_F(RecorderTest, WhatIsNoShape_IsLeftOut) {
   dgd_bullet::Recorder recorder(path_);
   btConvexHullShape without_points;
-  btSphereShape ball(btScalar(std::numeric_limits<double>::quiet_NaN()));
+  btSphereShape ball{std::numeric_limits<btScalar>::quiet_NaN()};
   btCollisionObject object;
   const btTransform pose = At(0, 0, 0);
   const btCollisionObjectWrapper no_hull(nullptr, &without_points, &object, pose, -1, -1);
