@@ -85,7 +85,7 @@ make_seeds() { # TARGET
 
 print_row() { # TARGET
   awk -v target="$1" '
-    / INITED cov: / { sub(/.*cov: /, ""); before = $1 }
+    /INITED cov: / { sub(/.*cov: /, ""); before = $1 }
     / cov: / { line = $0; sub(/.*cov: /, "", line); split(line, words, " "); after = words[1] }
     /^stat::number_of_executed_units:/ { executions = $2 }
     /^(SUMMARY|==[0-9]+== ERROR: libFuzzer)/ { findings = 1 }

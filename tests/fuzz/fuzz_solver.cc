@@ -14,8 +14,8 @@
 
 #include "fuzz/fuzz_input.h"
 #include "fuzz/fuzz_target.h"
-#include "soak/limits.h"
 #include "support/pairs/any_pair.h"
+#include "support/pairs/limits.h"
 #include "support/pairs/set_numbers.h"
 
 namespace dgd_fuzz {
@@ -203,7 +203,7 @@ class Questioning {
             question, "not finite");
     Require(result.lower_bound >= 0 && result.lower_bound <= result.upper_bound, question, "bounds not in order");
     if (demand == Demand::kNoCrash) return;
-    const dgd_soak::Limits<S> limits(pair_, result, true, double(settings_.relative_tolerance));
+    const dgd_test::Limits<S> limits(pair_, result, true, double(settings_.relative_tolerance));
     if (result.status == Status::kOptimal) {
       const dgd::Certificate certificate = pair_.Certify(result);
       Require(certificate.relative_gap <= kSlack * limits.gap, question, "gap", certificate.relative_gap, limits.gap);
@@ -239,7 +239,7 @@ class Questioning {
     const double proven = SeparationAlong(pair_, result.normal.template cast<double>());
     const double reach = pair_.Extent() + pair_.Center(Which::kFirst).norm() + pair_.Center(Which::kSecond).norm();
     Require(std::abs(proven - double(result.separation)) <=
-                kSlack * dgd_soak::Limits<S>::kSeparationUnits * dgd::kEpsilon<S> * reach,
+                kSlack * dgd_test::Limits<S>::kSeparationUnits * dgd::kEpsilon<S> * reach,
             question, "separation", proven, double(result.separation));
   }
 
