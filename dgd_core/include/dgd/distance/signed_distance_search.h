@@ -261,12 +261,20 @@ class SignedDistanceSearch {
       }
       NearestSimplex<S> grown = simplex_;
       grown.Add(support);
-      if (grown.Nearest().squaredNorm() < simplex_.Nearest().squaredNorm()) {
+      if (IsNearer(grown)) {
         simplex_ = grown;
       } else if (normal == simplex_.Normal()) {
         return Finish(Status::kStalled, simplex_.Combination());
       }
     }
+  }
+
+  /// Than the simplex so far. A normal that is off by the root of a rounding makes no difference to the length, and one
+  /// to the planes: so a few times, as near is enough.
+  bool IsNearer(const NearestSimplex<S>& grown) {
+    const S before = simplex_.Nearest().squaredNorm(), after = grown.Nearest().squaredNorm();
+    if (after < before) return true;
+    return after <= (1 + kAsNear) * before && sideways_++ < kMaxSideways;
   }
 
   /// The origin is on a feature of K, within rounding: on its border, where the signed distance is 0, or inside.
@@ -411,6 +419,8 @@ class SignedDistanceSearch {
   static constexpr S kUnits = 8;
   /// What is asked for beyond the tolerance: two digits of the points.
   static constexpr S kForPoints = S(1e-4);
+  static constexpr S kAsNear = 4 * kEpsilon<S>;
+  static constexpr int kMaxSideways = 3;
   /// A tetrahedron as flat as so many roundings has faces that know where they look.
   static constexpr S kFlat = 1024;
   /// Of a triangle about the best plane: about 30 degrees.
@@ -426,7 +436,7 @@ class SignedDistanceSearch {
   Plane best_;
   S nearest_ = std::numeric_limits<S>::infinity();  // Signed distance of K's inner approximation, metres.
   Feature foot_;                                    // The witness points' difference, without radii.
-  int iterations_ = 0;
+  int iterations_ = 0, sideways_ = 0;
   bool is_apart_ = false;       // By SolveApart(): ends where the origin turns out to be inside of K.
   bool is_news_ = false;        // No Newton's step was taken from the best plane yet.
   bool is_stationary_ = false;  // The best plane's normal is the best nearby.
