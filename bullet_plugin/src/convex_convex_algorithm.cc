@@ -123,7 +123,7 @@ void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* bod
   narrowphase_.FallBack(*m_dispatcher, body_0, body_1, info, *output);
   if (owns_manifold_) {
     output->refreshContactPoints();
-    DropPointsNowhere(*manifold_);
+    DropPointsNotFinite(*manifold_);
   }
 }
 
@@ -357,7 +357,7 @@ void ConvexConvexAlgorithm::WriteContacts(const dgd::ContactPatch<double>& patch
   WritePatch(patch, normal, output);
   if (anchors) anchors->Restore(*manifold_);
   output.refreshContactPoints();
-  DropPointsNowhere(*manifold_);
+  DropPointsNotFinite(*manifold_);
   OrderByImpulse(*manifold_);
   manifold_->setContactBreakingThreshold(breaking_threshold);
 }

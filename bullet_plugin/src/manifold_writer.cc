@@ -45,7 +45,7 @@ void DropStalePoints(btPersistentManifold& manifold, const dgd::ContactPatch<dou
   }
 }
 
-void DropPointsNowhere(btPersistentManifold& manifold) {
+void DropPointsNotFinite(btPersistentManifold& manifold) {
   for (int i = manifold.getNumContacts() - 1; i >= 0; --i) {
     if (!std::isfinite(manifold.getContactPoint(i).getDistance())) manifold.removeContactPoint(i);
   }

@@ -27,6 +27,6 @@ void WritePatch(const dgd::ContactPatch<double>& patch, const Vector3& normal, b
 void OrderByImpulse(btPersistentManifold& manifold);
 
 /// Removes points whose distance, after a refresh, is no finite number: of bodies whose pose is no pose.
-void DropPointsNowhere(btPersistentManifold& manifold);
+void DropPointsNotFinite(btPersistentManifold& manifold);
 
 }  // namespace dgd_bullet

@@ -144,7 +144,8 @@ class Dsf {
     return curved;
   }
 
-  /// On the stack: powers are most of the cost.
+  /// Powers, most of the cost, are not computed twice: they stay on the stack, of twice as many points as the paper's
+  /// sets have (4 to 30). Those of further points are.
   static constexpr std::size_t kMostKeptPowers = 64;
 
   double exponent_;
