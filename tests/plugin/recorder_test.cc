@@ -105,11 +105,12 @@ TEST_F(RecorderTest, EveryShape_IsRecordedAsBulletSeesIt) {
   std::vector<Asked> asked;
   std::uint64_t left_out = 0;
   btSphereShape ball(btScalar(0.25));
+  const btTransform ball_pose = At(3, 0, 0);  // Wrappers hold references.
   for (const ZooShape& entry : zoo) {
     const btTransform pose = MakeTransform(random.Rotation(), Vector(1, -2, 0.5));
     btCollisionObject first, second;
     const btCollisionObjectWrapper body_0(nullptr, entry.shape.get(), &first, pose, -1, -1);
-    const btCollisionObjectWrapper body_1(nullptr, &ball, &second, At(3, 0, 0), -1, -1);
+    const btCollisionObjectWrapper body_1(nullptr, &ball, &second, ball_pose, -1, -1);
     const std::uint64_t before = recorder.pair_count();
     recorder.Add(body_0, body_1);
     if (recorder.pair_count() > before) {
