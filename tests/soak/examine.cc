@@ -7,23 +7,18 @@
 #include <sstream>
 
 #include "support/pairs/limits.h"
+#include "support/pairs/status_name.h"
 
 namespace dgd_soak {
 namespace {
 
 using dgd_test::AnyPair;
 using dgd_test::Limits;
+using dgd_test::NameOf;
 using dgd_test::PairNumbers;
 using dgd_test::PoseNumbers;
 using dgd_test::Tally;
 using dgd_test::Which;
-
-const char* NameOf(dgd::Status status) {
-  static const char* const kNames[] = {"optimal",  "separated",          "colliding",
-                                       "touching", "coincident centers", "iteration limit",
-                                       "stalled",  "no interior",        "invalid input"};
-  return kNames[static_cast<int>(status)];
-}
 
 template <class S, int L>
 class Examination {

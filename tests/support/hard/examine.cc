@@ -10,16 +10,10 @@
 
 #include "support/hard/distance_truth.h"
 #include "support/pairs/limits.h"
+#include "support/pairs/status_name.h"
 
 namespace dgd_test {
 namespace {
-
-const char* NameOf(dgd::Status status) {
-  static const char* const kNames[] = {"optimal",  "separated",          "colliding",
-                                       "touching", "coincident centers", "iteration limit",
-                                       "stalled",  "no interior",        "invalid input"};
-  return kNames[static_cast<int>(status)];
-}
 
 template <class S, int L>
 class Examiner {
