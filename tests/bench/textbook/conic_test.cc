@@ -5,9 +5,7 @@
 
 #include <array>
 
-#include "support/pairs/any_pair.h"
-#include "support/pairs/random_pair.h"
-#include "support/pairs/with_core.h"
+#include "bench/textbook/random_textbook_pair.h"
 
 namespace dgd_bench {
 namespace {
@@ -24,7 +22,6 @@ using AnyPair = dgd_test::AnyPair<double, 3>;
 
 constexpr std::array kConicTypes = {SetType::kPoint, SetType::kSegment, SetType::kBox,       SetType::kCylinder,
                                     SetType::kCone,  SetType::kFrustum, SetType::kEllipsoid, SetType::kPolytope};
-constexpr dgd_test::LengthRange kTwoDecades{0.0025, 0.25};
 constexpr double kTolerance = dgd::kSqrtEpsilon<double>;
 
 std::optional<ConicSet> ConicSetFrom(const SetNumbers& set) {
@@ -33,8 +30,6 @@ std::optional<ConicSet> ConicSetFrom(const SetNumbers& set) {
     return std::nullopt;
   });
 }
-
-dgd::Pose<double> PoseFrom(const dgd_test::PoseNumbers& pose) { return {pose.rotation, pose.translation}; }
 
 dgd::Result<double> Solve(const PairNumbers& pair, double tolerance = kTolerance) {
   const std::optional<ConicSet> set_1 = ConicSetFrom(pair.set_1), set_2 = ConicSetFrom(pair.set_2);
@@ -61,57 +56,26 @@ PairNumbers Balls(double radius_1, double radius_2, const Vector3d& way) {
   return pair;
 }
 
-/// The gap twice the tolerance: its own measure of the dual residual's share is of first order.
-::testing::AssertionResult IsCertified(const PairNumbers& numbers, const dgd::Result<double>& result,
-                                       double tolerance) {
-  const AnyPair pair(numbers);
-  const dgd::Certificate certificate = pair.Certify(result);
-  // The sets' and of the way between them, whose rounding no answer can be better than.
-  const double extent =
-      pair.Extent() + (pair.Center(dgd_test::Which::kSecond) - pair.Center(dgd_test::Which::kFirst)).norm();
-  const dgd::Result<double> truth = pair.GrowthDistance({});
-  if (certificate.primal_infeasibility <= 1e-9 * extent && certificate.dual_infeasibility <= 1e-9 &&
-      certificate.relative_gap <= 2 * tolerance && certificate.separation_error <= 2 * tolerance * extent &&
-      result.lower_bound <= truth.upper_bound * (1 + tolerance) &&
-      truth.lower_bound <= result.upper_bound * (1 + tolerance)) {
-    return ::testing::AssertionSuccess();
-  }
-  return ::testing::AssertionFailure() << "primal infeasibility " << certificate.primal_infeasibility / extent
-                                       << " of the extent, gap " << certificate.relative_gap << ", separation error "
-                                       << certificate.separation_error / extent << " of the extent, bounds "
-                                       << result.lower_bound << " .. " << result.upper_bound << ", solver's "
-                                       << truth.lower_bound << " .. " << truth.upper_bound << '\n'
-                                       << Dump(numbers);
-}
-
 // All optimal answers are certified. One in ten thousand stalls, mostly of sets a hundred times longer than thick:
 // the matrix of the last steps is too close to singular for the multipliers.
 TEST(Conic, RandomPairs_AreSolvedAndCertified) {
   Random random(dgd_test::TestSeed());
-  const int pairs_each = dgd_test::TestCount(20);
-  int count = 0, solved = 0;
+  // The gap twice the tolerance: its own measure of the dual residual's share is of first order.
+  constexpr Demands kDemands{.gap = 2 * kTolerance, .primal = 1e-9, .separation = 2 * kTolerance};
+  SolvedShare all;
   for (std::size_t i = 0; i < kConicTypes.size(); ++i) {
     for (std::size_t j = i; j < kConicTypes.size(); ++j) {
-      int count_here = 0, solved_here = 0;
-      for (int k = 0; k < pairs_each * dgd_test::kPlacementCount; ++k) {
-        PairNumbers pair = RandomPair(random, kConicTypes[i], kConicTypes[j], random.Flip());
-        Place(random, static_cast<Placement>(k % dgd_test::kPlacementCount), pair);
-        const dgd::Result<double> result = Solve(pair);
-        ++count_here;
-        if (result.status != dgd::Status::kOptimal) continue;
-        ++solved_here;
-        // Centres so close that the way between them, a difference of world coordinates, is mostly their rounding.
-        if (result.upper_bound < 1e-6) continue;
-        ASSERT_TRUE(IsCertified(pair, result, kTolerance));
-      }
-      std::printf("%s, %s: %d of %d solved\n", InfoOf(kConicTypes[i]).name, InfoOf(kConicTypes[j]).name, solved_here,
-                  count_here);
-      EXPECT_GE(solved_here, 0.97 * count_here);
-      count += count_here;
-      solved += solved_here;
+      const SolvedShare share = SolvePlacedPairs(
+          random, dgd_test::TestCount(20),
+          [&] { return RandomPair(random, kConicTypes[i], kConicTypes[j], random.Flip()); },
+          [](const PairNumbers& pair) { return Solve(pair); }, kDemands);
+      std::printf("%s, %s: %d of %d solved\n", InfoOf(kConicTypes[i]).name, InfoOf(kConicTypes[j]).name, share.solved,
+                  share.pairs);
+      EXPECT_GE(share.Share(), 0.97);
+      all += share;
     }
   }
-  EXPECT_GE(solved, 0.998 * count);
+  EXPECT_GE(all.Share(), 0.998);
 }
 
 TEST(Conic, Balls_HaveRatioOfDistanceToRadii) {

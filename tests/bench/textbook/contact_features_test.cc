@@ -7,9 +7,7 @@
 #include <memory>
 
 #include "bench/textbook/plain_algorithm.h"
-#include "support/pairs/any_pair.h"
-#include "support/pairs/random_pair.h"
-#include "support/pairs/with_core.h"
+#include "bench/textbook/random_textbook_pair.h"
 
 namespace dgd_bench {
 namespace {
@@ -24,7 +22,6 @@ using Eigen::Vector3d;
 using AnyPair = dgd_test::AnyPair<double, 3>;
 using MadeSet = std::unique_ptr<DifferentiableSupportFunction>;
 
-constexpr dgd_test::LengthRange kTwoDecades{0.0025, 0.25};
 constexpr double kTolerance = dgd::kSqrtEpsilon<double>;
 
 /// Null where there is no second derivative.
@@ -37,8 +34,6 @@ MadeSet SetFrom(const SetNumbers& set) {
     return nullptr;
   });
 }
-
-dgd::Pose<double> PoseFrom(const dgd_test::PoseNumbers& pose) { return {pose.rotation, pose.translation}; }
 
 PairNumbers RandomPair(Random& random, SetType type_1, SetType type_2) {
   PairNumbers pair;
@@ -60,35 +55,14 @@ int CuttingPlanesOf(const PairNumbers& pair) {
 
 TEST(ContactFeatures, RandomPairs_AreSolvedAndCertified) {
   Random random(dgd_test::TestSeed());
-  const int pairs_each = dgd_test::TestCount(50);
   constexpr std::array kTypes = {SetType::kDsf, SetType::kEllipsoid};
   for (const SetType type_1 : kTypes) {
     for (const SetType type_2 : kTypes) {
-      int count = 0, solved = 0;
-      for (int k = 0; k < pairs_each * dgd_test::kPlacementCount; ++k) {
-        PairNumbers numbers = RandomPair(random, type_1, type_2);
-        Place(random, static_cast<Placement>(k % dgd_test::kPlacementCount), numbers);
-        const dgd::Result<double> result = Solve(numbers);
-        ++count;
-        if (result.status != dgd::Status::kOptimal) continue;
-        ++solved;
-        const AnyPair pair(numbers);
-        const dgd::Certificate certificate = pair.Certify(result);
-        const dgd::Result<double> truth = pair.GrowthDistance({});
-        // The sets' and of the way between them, whose rounding no answer can be better than.
-        const double extent =
-            pair.Extent() + (pair.Center(dgd_test::Which::kSecond) - pair.Center(dgd_test::Which::kFirst)).norm();
-        ASSERT_TRUE(certificate.Holds(1e-9 * extent, 1.01 * kTolerance))
-            << "primal infeasibility " << certificate.primal_infeasibility / extent << " of the extent, gap "
-            << certificate.relative_gap << ", separation error " << certificate.separation_error << '\n'
-            << Dump(numbers);
-        // Centres so close that the way between them, a difference of world coordinates, is mostly their rounding.
-        if (result.upper_bound < 1e-6) continue;
-        ASSERT_LE(result.lower_bound, truth.upper_bound * (1 + kTolerance)) << Dump(numbers);
-        ASSERT_LE(truth.lower_bound, result.upper_bound * (1 + kTolerance)) << Dump(numbers);
-      }
-      std::printf("%s, %s: %d of %d solved\n", InfoOf(type_1).name, InfoOf(type_2).name, solved, count);
-      EXPECT_GE(solved, 0.998 * count);
+      const SolvedShare share = SolvePlacedPairs(
+          random, dgd_test::TestCount(50), [&] { return RandomPair(random, type_1, type_2); },
+          [](const PairNumbers& pair) { return Solve(pair); }, {.gap = 1.01 * kTolerance, .primal = 1e-9});
+      std::printf("%s, %s: %d of %d solved\n", InfoOf(type_1).name, InfoOf(type_2).name, share.solved, share.pairs);
+      EXPECT_GE(share.Share(), 0.998);
     }
   }
 }
