@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "bench/peers/bullet_peers.h"
+
 namespace dgd_bench {
 namespace {
 

@@ -32,6 +32,19 @@ void AddClassOptions(CLI::App& app, ClassOptions& options) {
   app.add_option("--meshes", options.meshes, "Folder of .obj files for the class meshes")->type_name("DIR");
 }
 
+void AddTimedClassOptions(CLI::App& app, TimedClassOptions& options) {
+  constexpr int kMost = 100'000;
+  AddClassOptions(app, options);
+  app.add_option("--repeats", options.repeats, "Queries in a row, of which the mean is taken")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMost).description(""))
+      ->capture_default_str();
+  app.add_option("--rounds", options.rounds, "Turns of all methods, of which each one's least mean counts")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMost).description(""))
+      ->capture_default_str();
+}
+
 std::string ClassesInWords() {
   return R"(
 Classes:  curved: sphere, capsule, box, cylinder, cone, frustum, ellipsoid, one of each pair not the

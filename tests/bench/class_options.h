@@ -26,6 +26,20 @@ struct ClassOptions {
 /// Adds --pairs, --poses, --seed, --classes and --meshes, whose defaults `options` holds.
 void AddClassOptions(CLI::App& app, ClassOptions& options);
 
+/// Of the programs that time several methods.
+struct TimedClassOptions : ClassOptions {
+  TimedClassOptions() {
+    pairs = 200;
+    poses = 20;
+  }
+
+  int repeats = 10;  ///< Queries in a row, of which the mean is taken.
+  int rounds = 3;    ///< Turns of all methods, of which each one's least mean counts.
+};
+
+/// Adds --repeats and --rounds to the above.
+void AddTimedClassOptions(CLI::App& app, TimedClassOptions& options);
+
 /// What the classes are, for a program's help.
 std::string ClassesInWords();
 

@@ -6,15 +6,15 @@
 #include <cstdio>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "bench/class_options.h"
+#include "bench/class_walk.h"
 #include "bench/exit_status.h"
 #include "bench/percentile.h"
 #include "program_main.h"
-#include "report/progress_bar.h"
 #include "support/pairs/any_pair.h"
 
 namespace dgd_bench {
@@ -88,19 +88,13 @@ template <int L>
 std::array<Gaps, kVariants.size()> ObserveClass(const PairClass& each, const Meshes& meshes,
                                                 const ClassOptions& options) {
   std::array<Gaps, kVariants.size()> gaps;
-  dgd_demos::ProgressBar progress(each.name, 1);
-  dgd_test::Random random(options.seed);
-  const int pairs = std::max(1, options.pairs / each.poses_factor);
-  const int poses = options.pairs * options.poses / pairs;
-  for (int i = 0; i < pairs; ++i) {
-    dgd_test::AnyPair<double, L> pair(each.draw_sets(random, meshes));
-    for (int j = 0; j < poses; ++j) {
-      const PairPoses drawn = DrawPoses(random, L, pair.Extent());
-      pair.MoveTo(drawn.pose_1, drawn.pose_2);
-      for (std::size_t v = 0; v < kVariants.size(); ++v) Observe(pair, kVariants[v], gaps[v]);
-    }
-    progress.Update(static_cast<double>(i + 1) / pairs);
-  }
+  WalkClass<L>(
+      each, meshes, options,
+      [](const dgd_test::PairNumbers& numbers) { return std::make_unique<dgd_test::AnyPair<double, L>>(numbers); },
+      [&](dgd_test::AnyPair<double, L>& pair, const PairPoses& poses, std::int64_t) {
+        pair.MoveTo(poses.pose_1, poses.pose_2);
+        for (std::size_t v = 0; v < kVariants.size(); ++v) Observe(pair, kVariants[v], gaps[v]);
+      });
   return gaps;
 }
 

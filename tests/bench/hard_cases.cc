@@ -12,12 +12,15 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
+#include "bench/any_peer.h"
 #include "bench/exit_status.h"
-#include "bench/guarded_query.h"
-#include "bench/hard_method.h"
+#include "bench/guarded_peer.h"
+#include "bench/peers/bullet_peers.h"
+#include "bench/peers/fcl_peer.h"
 #include "program_main.h"
 #include "report/csv_file.h"
 #include "seed_option.h"
@@ -140,17 +143,16 @@ struct Judgement {
   double error = 0;
 };
 
-/// Of an answer that is a distance and a normal.
-Judgement Judge(const RoundedCase& rounded, const HardAnswer& answer) {
-  if (!answer.distance) return {Verdict::kDeclined};
+Judgement Judge(const RoundedCase& rounded, const std::optional<SeparationAnswer>& answer) {
+  if (!answer) return {Verdict::kDeclined};
   const DistanceTruth& truth = rounded.truth;
-  const double distance = *answer.distance;
+  const double distance = answer->separation;
   Judgement judgement;
   judgement.is_wrong = (distance <= 0 && truth.lower > rounded.slack) || (distance > 0 && truth.upper < -rounded.slack);
-  const double length = answer.normal.norm();
+  const double length = answer->normal.norm();
   const bool is_unit = std::isfinite(distance) && std::abs(length - 1) <= std::max(rounded.tolerance, 1e-6);
   if (!is_unit) return {Verdict::kRefuted, judgement.is_wrong, 0};
-  const double separation = dgd_test::SeparationAlong(rounded.numbers, answer.normal / length);
+  const double separation = dgd_test::SeparationAlong(rounded.numbers, answer->normal / length);
   if (!(std::abs(separation - distance) <= rounded.slack)) judgement.verdict = Verdict::kRefuted;
   if (!judgement.is_wrong)
     judgement.error = std::max(0.0, truth.lower - separation) / std::max(truth.size, truth.upper);
@@ -160,15 +162,16 @@ Judgement Judge(const RoundedCase& rounded, const HardAnswer& answer) {
 struct Method {
   const char* name;
   bool is_double;
-  MakeHardQuery make;
+  MakePeer make;
   bool is_ours = false;  // Others may never end.
 };
 
 std::vector<Method> AllMethods() {
+  const bool is_bullet_in_double = BulletPrecision() == std::string_view("double");
   return {{"signed distance, double", true, MakeSignedDistanceInDouble, true},
           {"signed distance, float", false, MakeSignedDistanceInFloat, true},
-          {IsBulletInDouble() ? "Bullet float64" : "Bullet float", IsBulletInDouble(), MakeBulletHardQuery},
-          {"FCL (libccd), double", true, MakeFclHardQuery}};
+          {is_bullet_in_double ? "Bullet float64" : "Bullet float", is_bullet_in_double, MakeBulletGjkEpa},
+          {"FCL (libccd), double", true, MakeFclPeer}};
 }
 
 constexpr std::array kGrowthDistances = {"growth distance, double", "growth distance, float"};
@@ -197,24 +200,26 @@ struct ClassRows {
 bool IsOfSpace(const HardCase& hard_case) { return dgd_test::InfoOf(hard_case.pair.set_1.type).dimension == 3; }
 
 /// A set that a method refuses to be made of counts as declined.
-std::unique_ptr<HardQuery> MakeQuery(const Method& method, const PairNumbers& numbers, bool& is_refused) try {
-  return method.make(numbers);
+std::unique_ptr<Peer> MakePosed(const Method& method, const PairNumbers& numbers, bool& is_refused) try {
+  std::unique_ptr<Peer> peer = method.make(numbers.set_1, numbers.set_2);
+  if (peer != nullptr) peer->MoveTo({numbers.pose_1, numbers.pose_2, numbers.pose_1, numbers.pose_2});
+  return peer;
 } catch (const std::exception&) {
   is_refused = true;
   return nullptr;
 }
 
-TimedAnswer AskPatiently(const Method& method, const HardQuery& query, int rounds) {
+TimedAnswer AskPatiently(const Method& method, const Peer& peer, int rounds) {
   constexpr std::chrono::milliseconds kPatience{500};  // A thousand times what the longest queries that end take.
-  return method.is_ours ? AskAndTime(query, rounds) : AskInChild(query, rounds, kPatience);
+  return method.is_ours ? AskAndTime(peer, rounds) : AskInChild(peer, rounds, kPatience);
 }
 
 void AskMethod(const Method& method, const RoundedCase& rounded, const Options& options, Row& row) {
   bool is_refused = false;
-  const std::unique_ptr<HardQuery> query = MakeQuery(method, rounded.numbers, is_refused);
+  const std::unique_ptr<Peer> peer = MakePosed(method, rounded.numbers, is_refused);
   if (is_refused) Take({Verdict::kDeclined}, 0, row);
-  if (query == nullptr) return;
-  const TimedAnswer timed = AskPatiently(method, *query, options.rounds);
+  if (peer == nullptr) return;
+  const TimedAnswer timed = AskPatiently(method, *peer, options.rounds);
   Take(Judge(rounded, timed.answer), timed.microseconds, row);
 }
 
@@ -285,17 +290,19 @@ void Replay(const HardClass& hard_class, const std::vector<Method>& methods, con
   if (!IsOfSpace(hard_case)) return;
   for (const Method& method : methods) {
     const RoundedCase rounded(hard_case.pair, method.is_double, options);
-    const std::unique_ptr<HardQuery> query = method.make(rounded.numbers);
+    bool is_refused = false;
+    const std::unique_ptr<Peer> peer = MakePosed(method, rounded.numbers, is_refused);
     std::cout << method.name << ": true distance " << rounded.truth.lower << " .. " << rounded.truth.upper << " m, ";
-    if (query == nullptr) {
-      std::cout << "unsupported\n";
+    if (peer == nullptr) {
+      std::cout << (is_refused ? "refused\n" : "unsupported\n");
       continue;
     }
-    const HardAnswer answer = AskPatiently(method, *query, 1).answer;
+    const TimedAnswer timed = AskPatiently(method, *peer, 1);
+    const std::optional<SeparationAnswer>& answer = timed.answer;
     const Judgement judgement = Judge(rounded, answer);
     std::cout << NameOf(judgement.verdict) << (judgement.is_wrong ? ", wrong" : "");
-    if (answer.distance) std::cout << ", says " << *answer.distance << " m along " << answer.normal.transpose();
-    std::cout << ' ' << answer.reason << '\n';
+    if (answer) std::cout << ", says " << answer->separation << " m along " << answer->normal.transpose();
+    std::cout << ' ' << timed.reason << '\n';
   }
 }
 

@@ -8,6 +8,7 @@
 #include "bench/benchmark_csv.h"
 #include "bench/benchmark_table.h"
 #include "bench/measurement.h"
+#include "bench/peers/bullet_peers.h"
 #include "program_main.h"
 #include "report/progress_bar.h"
 

@@ -1,7 +1,9 @@
 #include "bench/iteration_count.h"
 
 #include <algorithm>
+#include <memory>
 
+#include "bench/class_walk.h"
 #include "bench/percentile.h"
 #include "bench/stopwatch.h"
 #include "support/pairs/random_pair.h"
@@ -11,7 +13,6 @@ namespace {
 
 using dgd_test::AnyPair;
 using dgd_test::PairNumbers;
-using dgd_test::Random;
 using dgd_test::Which;
 
 constexpr int kTimeRepeats = 3;
@@ -35,36 +36,34 @@ void Ask(AnyPair<double, L>& pair, const IterationVariant& variant, const dgd::W
   tally.primal_infeasibility.Take(certificate.primal_infeasibility / size, index);
 }
 
+/// One pair in its poses, asked in every way.
 template <int L>
-std::vector<IterationRow> Count(const PairClass& pair_class, const Meshes& meshes, const ClassOptions& options,
-                                void (*progress)(double share)) {
+void AskAll(AnyPair<double, L>& pair, const PairPoses& poses, std::int64_t index, std::vector<IterationRow>& rows,
+            std::vector<std::vector<double>>& times) {
+  for (std::size_t v = 0; v < rows.size(); ++v) {
+    const IterationVariant& variant = IterationVariants()[v];
+    dgd::WarmStart<double, L> start;
+    if (variant.start != Start::kCold) {
+      pair.MoveTo(poses.pose_1, poses.last_pose_2);
+      pair.GrowthDistance(variant.settings, &start);
+    }
+    if (variant.start == Start::kLastNormal) start.size = start.known_size = 0;
+    pair.MoveTo(poses.pose_1, poses.pose_2);
+    Ask(pair, variant, start, index, rows[v].tally, times[v]);
+  }
+}
+
+template <int L>
+std::vector<IterationRow> Count(const PairClass& pair_class, const Meshes& meshes, const ClassOptions& options) {
   std::vector<IterationRow> rows;
   for (const IterationVariant& variant : IterationVariants()) rows.push_back({variant.title, {}, 0});
   std::vector<std::vector<double>> times(rows.size());
-
-  Random random(options.seed);
-  const int pairs = std::max(1, options.pairs / pair_class.poses_factor);
-  const int poses = options.pairs * options.poses / pairs;
-  for (int i = 0; i < pairs; ++i) {
-    AnyPair<double, L> pair(pair_class.draw_sets(random, meshes));
-    const double extent = pair.Extent();
-    for (int j = 0; j < poses; ++j) {
-      const auto [pose_1, last_pose_2, pose_2] = DrawPoses(random, L, extent);
-      const std::int64_t index = std::int64_t{i} * poses + j;
-      for (std::size_t v = 0; v < rows.size(); ++v) {
-        const IterationVariant& variant = IterationVariants()[v];
-        dgd::WarmStart<double, L> start;
-        if (variant.start != Start::kCold) {
-          pair.MoveTo(pose_1, last_pose_2);
-          pair.GrowthDistance(variant.settings, &start);
-        }
-        if (variant.start == Start::kLastNormal) start.size = start.known_size = 0;
-        pair.MoveTo(pose_1, pose_2);
-        Ask(pair, variant, start, index, rows[v].tally, times[v]);
-      }
-    }
-    progress(static_cast<double>(i + 1) / pairs);
-  }
+  WalkClass<L>(
+      pair_class, meshes, options,
+      [](const PairNumbers& numbers) { return std::make_unique<AnyPair<double, L>>(numbers); },
+      [&](AnyPair<double, L>& pair, const PairPoses& poses, std::int64_t index) {
+        AskAll(pair, poses, index, rows, times);
+      });
   for (std::size_t v = 0; v < rows.size(); ++v) {
     std::ranges::sort(times[v]);
     rows[v].microseconds_p50 = Percentile(times[v], 0.5);
@@ -100,9 +99,8 @@ const std::vector<IterationVariant>& IterationVariants() {
 }
 
 std::vector<IterationRow> CountIterations(const PairClass& pair_class, const Meshes& meshes,
-                                          const ClassOptions& options, void (*progress)(double share)) {
-  return pair_class.dimension == 2 ? Count<2>(pair_class, meshes, options, progress)
-                                   : Count<3>(pair_class, meshes, options, progress);
+                                          const ClassOptions& options) {
+  return pair_class.dimension == 2 ? Count<2>(pair_class, meshes, options) : Count<3>(pair_class, meshes, options);
 }
 
 }  // namespace dgd_bench

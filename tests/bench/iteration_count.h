@@ -33,9 +33,8 @@ struct IterationRow {
   double microseconds_p50;
 };
 
-/// One row per variant.
-/// @param progress  Called with the share that is done, now and then.
+/// One row per variant; a progress bar meanwhile.
 std::vector<IterationRow> CountIterations(const PairClass& pair_class, const Meshes& meshes,
-                                          const ClassOptions& options, void (*progress)(double share));
+                                          const ClassOptions& options);
 
 }  // namespace dgd_bench

@@ -2,7 +2,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <iostream>
-#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -11,7 +10,6 @@
 #include "bench/exit_status.h"
 #include "bench/iteration_count.h"
 #include "program_main.h"
-#include "report/progress_bar.h"
 
 namespace dgd_bench {
 namespace {
@@ -67,9 +65,6 @@ void Print(const IterationRow& row) {
               row.microseconds_p50);
 }
 
-// For the callback of CountIterations(), which knows no object.
-std::optional<dgd_demos::ProgressBar> progress_bar;
-
 ExitStatus Run(const ClassOptions& options) {
   dgd_test::Random random(options.seed);
   const Meshes meshes = MakeMeshes(options, random);
@@ -79,9 +74,7 @@ ExitStatus Run(const ClassOptions& options) {
   ExitStatus status = kSuccess;
   for (const PairClass& each : AllPairClasses()) {
     if (!options.Wants(each)) continue;
-    progress_bar.emplace(each.name, 1);
-    const auto rows = CountIterations(each, meshes, options, [](double share) { progress_bar->Update(share); });
-    progress_bar.reset();
+    const std::vector<IterationRow> rows = CountIterations(each, meshes, options);
     std::printf("%s: %s\n", each.name, each.title);
     for (std::size_t v = 0; v < rows.size(); ++v) {
       Print(rows[v]);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "bench/percentile.h"
+#include "bench/stopwatch.h"
 
 namespace dgd_bench {
 namespace {
@@ -38,14 +38,9 @@ PairRow Measure(const HullPair& pair, const TimingEffort& effort) {
 
   PairRow row;
   row.signed_distance = pair.signed_distance;
-  for (std::size_t m = 0; m < kMethods.size(); ++m) {
-    row.samples[m] = {std::numeric_limits<double>::infinity(), queries[m]->Judge(pair)};
-  }
-  for (int round = 0; round < effort.rounds; ++round) {
-    for (std::size_t m = 0; m < kMethods.size(); ++m) {
-      row.samples[m].microseconds = std::min(row.samples[m].microseconds, queries[m]->Time(effort.repeats));
-    }
-  }
+  const std::vector<double> times =
+      LeastOfRounds(effort.rounds, kMethods.size(), [&](std::size_t m) { return queries[m]->Time(effort.repeats); });
+  for (std::size_t m = 0; m < kMethods.size(); ++m) row.samples[m] = {times[m], queries[m]->Judge(pair)};
   return row;
 }
 

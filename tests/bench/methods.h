@@ -3,9 +3,8 @@
 
 #include <array>
 
-#include "bench/bullet_query.h"
-#include "bench/fcl_query.h"
 #include "bench/growth_distance_query.h"
+#include "bench/hull_peers.h"
 
 namespace dgd_bench {
 

@@ -1,12 +1,9 @@
 // solution_times: every way to a growth distance on the paper's kinds of pairs, time beside error. See --help.
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
-#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -16,8 +13,8 @@
 #include "bench/exit_status.h"
 #include "bench/growth_methods.h"
 #include "bench/method_figures.h"
+#include "bench/speed_walk.h"
 #include "program_main.h"
-#include "report/progress_bar.h"
 
 namespace dgd_bench {
 namespace {
@@ -44,31 +41,18 @@ Columns:  pairs that the method takes; times of a query in us, each the least of
 
 Exit status: 0 all of our answers optimal; 1 some not; 2 wrong command line, or a mesh cannot be read.)";
 
-struct Options : ClassOptions {
-  Options() {
-    pairs = 200;
-    poses = 20;
-  }
+struct Options : TimedClassOptions {
+  Options() { repeats = 5; }
 
-  int repeats = 5, rounds = 3;
   bool tolerances = false;
   std::filesystem::path csv;
 };
 
 std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
-  constexpr int kMost = 100'000;
   Options options;
   CLI::App app(kDescription, "solution_times");
   app.footer(kExamples + ClassesInWords() + kFooter);
-  AddClassOptions(app, options);
-  app.add_option("--repeats", options.repeats, "Queries in a row, of which the mean is taken")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMost).description(""))
-      ->capture_default_str();
-  app.add_option("--rounds", options.rounds, "Turns of all methods, of which each one's least mean counts")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMost).description(""))
-      ->capture_default_str();
+  AddTimedClassOptions(app, options);
   app.add_flag("--tolerances", options.tolerances, "Ask for relative gaps of 1e-3 to 1e-12 as well, cold");
   app.add_option("--csv", options.csv, "Write the figures to this file")->type_name("FILE");
   try {
@@ -90,57 +74,6 @@ std::vector<GrowthMethod> MethodsOf(const Options& options) {
     }
   }
   return methods;
-}
-
-MethodSample SampleOf(const SpeedAnswer& answer, double microseconds) {
-  return {.microseconds = microseconds,
-          .iterations = double(answer.iterations),
-          .relative_gap = answer.relative_gap,
-          .primal_infeasibility = answer.primal_infeasibility,
-          .dual_infeasibility = answer.dual_infeasibility,
-          .is_failure = answer.is_failure};
-}
-
-template <int L>
-void Measure(const SpeedPair<L>& pair, const std::vector<GrowthMethod>& methods, const Options& options,
-             std::int64_t index, std::vector<MethodFigures>& figures) {
-  std::vector<double> least(methods.size(), std::numeric_limits<double>::infinity());
-  for (int round = 0; round < options.rounds; ++round) {
-    for (std::size_t m = 0; m < methods.size(); ++m) {
-      if (pair.Takes(methods[m].question)) {
-        least[m] = std::min(least[m], pair.Time(methods[m].question, options.repeats));
-      }
-    }
-  }
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    if (!pair.Takes(methods[m].question)) continue;
-    figures[m].Take(SampleOf(pair.Judge(methods[m].question), least[m]), index);
-  }
-}
-
-template <int L>
-std::vector<MethodSummary> MeasureClass(const PairClass& each, const Meshes& meshes,
-                                        const std::vector<GrowthMethod>& methods, const Options& options) {
-  std::vector<MethodFigures> figures(methods.size());
-  dgd_demos::ProgressBar progress(each.name, 1);
-  dgd_test::Random random(options.seed);
-  const int pairs = std::max(1, options.pairs / each.poses_factor);
-  const int poses = options.pairs * options.poses / pairs;
-  std::int64_t index = 0;
-  for (int i = 0; i < pairs; ++i) {
-    const dgd_test::PairNumbers numbers = each.draw_sets(random, meshes);
-    const auto pair = MakeSpeedPair<L>(numbers.set_1, numbers.set_2);
-    const double extent = pair->Extent();
-    for (int j = 0; j < poses; ++j) {
-      const PairPoses drawn = DrawPoses(random, L, extent);
-      pair->MoveTo(drawn.pose_1, drawn.last_pose_2, drawn.pose_2);
-      Measure(*pair, methods, options, index++, figures);
-    }
-    progress.Update(static_cast<double>(i + 1) / pairs);
-  }
-  std::vector<MethodSummary> summaries;
-  for (const MethodFigures& method : figures) summaries.push_back(method.Summarize());
-  return summaries;
 }
 
 void Print(const PairClass& each, const std::vector<GrowthMethod>& methods,
@@ -176,6 +109,8 @@ ExitStatus Run(const Options& options) {
   dgd_test::Random random(options.seed);
   const Meshes meshes = MakeMeshes(options, random);
   const std::vector<GrowthMethod> methods = MethodsOf(options);
+  std::vector<SpeedQuestion> questions;
+  for (const GrowthMethod& method : methods) questions.push_back(method.question);
   std::optional<FiguresCsv> csv;
   if (!options.csv.empty()) csv.emplace(options.csv);
   std::printf("%d pairs x %d poses a class, seed %llu; times in us\n", options.pairs, options.poses,
@@ -185,11 +120,10 @@ ExitStatus Run(const Options& options) {
   ExitStatus status = kSuccess;
   for (const PairClass& each : AllPairClasses()) {
     if (!options.Wants(each)) continue;
-    const std::vector<MethodSummary> summaries = each.dimension == 2 ? MeasureClass<2>(each, meshes, methods, options)
-                                                                     : MeasureClass<3>(each, meshes, methods, options);
+    const std::vector<MethodSummary> summaries = MeasureClass(each, meshes, questions, options);
     Print(each, methods, summaries);
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      const SpeedQuestion& question = methods[m].question;
+      const SpeedQuestion& question = questions[m];
       if (csv) {
         csv->Write({each.name, methods[m].key, methods[m].title, question.start == kWarmStart, question.tolerance,
                     each.vertices},

@@ -37,7 +37,6 @@ struct SpeedAnswer {
   double relative_gap = 0;          ///< By dgd/certificate.h, as the next two; 0 for a check.
   double primal_infeasibility = 0;  ///< Metres.
   double dual_infeasibility = 0;
-  double size = 1;                          ///< Of the pair: its extent and the distance of the centres, metres.
   bool is_failure = false;                  ///< Not optimal; of a check: undecided, or the wrong answer.
   double lower_bound = 0, upper_bound = 0;  ///< On the growth distance; 0 for a check.
 };

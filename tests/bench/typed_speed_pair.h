@@ -182,15 +182,10 @@ class TypedSpeedPair final : public SpeedPair<dgd::kDimension<Core1>> {
   SpeedAnswer Judge(const dgd::Result<S, L>& result) const {
     const dgd::Certificate certificate =
         dgd::Certify(ours_.set_1(), ours_.pose_1(), ours_.set_2(), ours_.pose_2(), InDouble(result));
-    const auto center = [](const auto& set, const auto& pose) -> dgd::Vector<double, L> {
-      return pose * set.core.Center();
-    };
-    const double between = (center(ours_.set_2(), ours_.pose_2()) - center(ours_.set_1(), ours_.pose_1())).norm();
     return {.iterations = result.iterations,
             .relative_gap = certificate.relative_gap,
             .primal_infeasibility = certificate.primal_infeasibility,
             .dual_infeasibility = certificate.dual_infeasibility,
-            .size = Extent() + between,
             .is_failure = result.status != dgd::Status::kOptimal,
             .lower_bound = double(result.lower_bound),
             .upper_bound = double(result.upper_bound)};

@@ -1,14 +1,14 @@
 #include "bench/replay/contest.h"
 
-#include <algorithm>
-#include <limits>
 #include <stdexcept>
 
 #include "bench/growth_methods.h"
-#include "bench/replay/bullet_peers.h"
-#include "bench/replay/fcl_peer.h"
+#include "bench/peers/bullet_peers.h"
+#include "bench/peers/fcl_peer.h"
 #include "bench/replay/ours_peer.h"
 #include "bench/replay/referee.h"
+#include "bench/speed_walk.h"
+#include "bench/stopwatch.h"
 
 namespace dgd_bench {
 namespace {
@@ -20,19 +20,14 @@ std::unique_ptr<SpeedPair<3>> MakeGrowth(const dgd_test::SetNumbers& set_1, cons
 }
 
 MethodSample SampleOf(const SpeedAnswer& answer, const Referee& referee) {
-  MethodSample sample;
-  sample.iterations = answer.iterations;
-  sample.relative_gap = answer.relative_gap;
-  sample.primal_infeasibility = answer.primal_infeasibility;
-  sample.dual_infeasibility = answer.dual_infeasibility;
+  MethodSample sample = SampleOf(answer);
   sample.is_wrong = (referee.AreApart() && answer.upper_bound < 1) || (referee.Overlap() && answer.lower_bound > 1);
-  sample.is_failure = answer.is_failure;
   return sample;
 }
 
 MethodSample SampleOf(const std::optional<SeparationAnswer>& answer, bool answers_apart, const Referee& referee) {
   MethodSample sample;
-  if (!answer) {
+  if (!answer || !answer->HasNormal()) {
     sample.is_missing = answers_apart || referee.Overlap();
     return sample;
   }
@@ -60,13 +55,18 @@ const std::vector<ContestMethod>& AllContestMethods() {
   static const std::vector<ContestMethod> kMethods = [] {
     const std::string of_bullet = std::string(", ") + BulletPrecision();
     std::vector<ContestMethod> methods = {
-        {"bullet_gjk_epa", "Bullet GJK/EPA" + of_bullet, MakeBulletGjkEpa},
-        {"bullet_mpr", "Bullet MPR" + of_bullet, MakeBulletMpr, false, false},
-        {"fcl", "FCL (libccd), double", MakeFclPeer},
-        {"signed_distance", "ours, signed distance", MakeOursPeer},
-        {"signed_distance_warm", "ours, signed distance, warm", MakeOursWarmPeer, true},
+        {.key = "bullet_gjk_epa", .title = "Bullet GJK/EPA" + of_bullet, .how = MakeBulletGjkEpa},
+        {.key = "bullet_mpr", .title = "Bullet MPR" + of_bullet, .how = MakeBulletMpr, .answers_apart = false},
+        {.key = "fcl", .title = "FCL (libccd), double", .how = MakeFclPeer},
+        {.key = "signed_distance", .title = "ours, signed distance", .how = MakeOursPeer},
+        {.key = "signed_distance_warm",
+         .title = "ours, signed distance, warm",
+         .how = MakeOursWarmPeer,
+         .is_warm_peer = true},
     };
-    for (const GrowthMethod& method : kGrowthMethods) methods.push_back({method.key, method.title, method.question});
+    for (const GrowthMethod& method : kGrowthMethods) {
+      methods.push_back({.key = method.key, .title = method.title, .how = method.question});
+    }
     return methods;
   }();
   return kMethods;
@@ -102,12 +102,8 @@ bool ContestPair::Takes(std::size_t method) const {
 }
 
 std::vector<MethodSample> ContestPair::Measure(int rounds, int repeats) const {
-  std::vector<double> least(methods_.size(), std::numeric_limits<double>::infinity());
-  for (int round = 0; round < rounds; ++round) {
-    for (std::size_t m = 0; m < methods_.size(); ++m) {
-      if (Takes(m)) least[m] = std::min(least[m], Time(m, repeats));
-    }
-  }
+  const std::vector<double> times = LeastOfRounds(
+      rounds, methods_.size(), [&](std::size_t m) { return Takes(m) ? Time(m, repeats) : MethodSample::kNone; });
   const Referee referee(judged_);
   std::vector<MethodSample> samples(methods_.size());
   for (std::size_t m = 0; m < methods_.size(); ++m) {
@@ -117,7 +113,7 @@ std::vector<MethodSample> ContestPair::Measure(int rounds, int repeats) const {
     } else {
       samples[m] = SampleOf(growth_->Judge(std::get<SpeedQuestion>(methods_[m]->how)), referee);
     }
-    samples[m].microseconds = least[m];
+    samples[m].microseconds = times[m];
   }
   return samples;
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/method_figures.h"
-#include "bench/replay/peer.h"
+#include "bench/peers/peer.h"
 #include "bench/speed_pair.h"
 #include "support/pairs/any_pair.h"
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "bench/method_figures.h"
-#include "bench/replay/bullet_peers.h"
+#include "bench/peers/bullet_peers.h"
 #include "bench/replay/contest.h"
 #include "bench/replay/recorded_pairs.h"
 #include "dgd_bullet/record_file.h"

@@ -1,7 +1,7 @@
 // The plugin's own way to a contact normal: growth distance, then least translation.
 #pragma once
 
-#include "bench/replay/peer.h"
+#include "bench/peers/peer.h"
 
 namespace dgd_bench {
 

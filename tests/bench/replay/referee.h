@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "bench/replay/peer.h"
+#include "bench/peers/peer.h"
 #include "support/pairs/any_pair.h"
 
 namespace dgd_bench {

@@ -1,4 +1,4 @@
-#include "bench/guarded_query.h"
+#include "bench/guarded_peer.h"
 
 #include <poll.h>
 #include <sys/wait.h>
@@ -17,21 +17,37 @@ namespace {
 
 /// What a child tells its parent: plain bytes, less than a pipe takes at once.
 struct Message {
-  bool has_distance;
-  double distance, normal[3], microseconds;
+  bool is_answered;
+  double separation, normal[3], witness_1[3], witness_2[3], microseconds;
 };
 
 Message MessageOf(const TimedAnswer& timed) {
-  const HardAnswer& answer = timed.answer;
-  const Eigen::Vector3d& n = answer.normal;
-  return {answer.distance.has_value(), answer.distance.value_or(0), {n.x(), n.y(), n.z()}, timed.microseconds};
+  Message message{};
+  message.microseconds = timed.microseconds;
+  message.is_answered = timed.answer.has_value();
+  if (!message.is_answered) return message;
+  message.separation = timed.answer->separation;
+  Eigen::Vector3d::Map(message.normal) = timed.answer->normal;
+  Eigen::Vector3d::Map(message.witness_1) = timed.answer->witness_1;
+  Eigen::Vector3d::Map(message.witness_2) = timed.answer->witness_2;
+  return message;
+}
+
+TimedAnswer TimedAnswerOf(const Message& message) {
+  TimedAnswer timed;
+  timed.microseconds = message.microseconds;
+  if (message.is_answered) {
+    timed.answer = SeparationAnswer{Eigen::Vector3d::Map(message.normal), message.separation,
+                                    Eigen::Vector3d::Map(message.witness_1), Eigen::Vector3d::Map(message.witness_2)};
+  }
+  return timed;
 }
 
 /// Ends here; without what the parent has to clean up.
-[[noreturn]] void Work(const HardQuery& query, int rounds, int pipe_end) {
+[[noreturn]] void Work(const Peer& peer, int rounds, int pipe_end) {
   // A failed assertion speaks there, in the middle of the table.
   if (std::freopen("/dev/null", "w", stderr) == nullptr) _exit(1);
-  const Message message = MessageOf(AskAndTime(query, rounds));
+  const Message message = MessageOf(AskAndTime(peer, rounds));
   const bool is_written = write(pipe_end, &message, sizeof message) == sizeof message;
   _exit(is_written ? 0 : 1);
 }
@@ -39,29 +55,29 @@ Message MessageOf(const TimedAnswer& timed) {
 TimedAnswer Failed(const char* reason, std::chrono::steady_clock::time_point start) {
   const std::chrono::duration<double, std::micro> elapsed = std::chrono::steady_clock::now() - start;
   TimedAnswer failed;
-  failed.answer.reason = reason;
+  failed.reason = reason;
   failed.microseconds = elapsed.count();
   return failed;
 }
 
 }  // namespace
 
-TimedAnswer AskAndTime(const HardQuery& query, int rounds) {
+TimedAnswer AskAndTime(const Peer& peer, int rounds) {
   TimedAnswer timed;
   timed.microseconds = std::numeric_limits<double>::infinity();
   for (int round = 0; round < rounds; ++round) {
-    timed.microseconds = std::min(timed.microseconds, MeanMicroseconds(1, [&] { timed.answer = query.Ask(); }));
+    timed.microseconds = std::min(timed.microseconds, MeanMicroseconds(1, [&] { timed.answer = peer.Ask(); }));
   }
   return timed;
 }
 
-TimedAnswer AskInChild(const HardQuery& query, int rounds, std::chrono::milliseconds patience) {
+TimedAnswer AskInChild(const Peer& peer, int rounds, std::chrono::milliseconds patience) {
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error("cannot make a pipe to a child process");
   const auto start = std::chrono::steady_clock::now();
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("cannot start a child process");
-  if (child == 0) Work(query, rounds, ends[1]);
+  if (child == 0) Work(peer, rounds, ends[1]);
   close(ends[1]);
 
   // A child that dies closes its end, and wakes us as well.
@@ -74,11 +90,7 @@ TimedAnswer AskInChild(const HardQuery& query, int rounds, std::chrono::millisec
   waitpid(child, nullptr, 0);
   if (!is_complete) return Failed(is_awake ? "crashed" : "does not end", start);
 
-  TimedAnswer timed;
-  if (message.has_distance) timed.answer.distance = message.distance;
-  timed.answer.normal = Eigen::Vector3d(message.normal[0], message.normal[1], message.normal[2]);
-  timed.microseconds = message.microseconds;
-  return timed;
+  return TimedAnswerOf(message);
 }
 
 }  // namespace dgd_bench

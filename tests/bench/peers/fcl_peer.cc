@@ -1,4 +1,4 @@
-#include "bench/replay/fcl_peer.h"
+#include "bench/peers/fcl_peer.h"
 
 #include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/capsule.h>
@@ -10,12 +10,11 @@
 #include <fcl/narrowphase/distance.h>
 
 #include <exception>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "bench/stopwatch.h"
-#include "scene/polyhedron.h"
+#include "dgd/convex_hull.h"
 
 namespace dgd_bench {
 namespace {
@@ -23,21 +22,20 @@ namespace {
 using dgd_test::SetNumbers;
 using dgd_test::SetType;
 
+/// FCL wants faces; a flat hull has two, back to back. Null for segments and points.
 std::unique_ptr<fcl::CollisionGeometryd> MakeHull(const std::vector<Eigen::Vector3d>& points) {
-  constexpr int kCornersOfFace = 3;
-  dgd_demos::Polyhedron polyhedron;
-  try {
-    polyhedron = dgd_demos::ConvexHull(points);
-  } catch (const std::invalid_argument&) {
-    return nullptr;  // Flat: FCL wants faces around a volume.
-  }
+  const dgd::ConvexHull hull = dgd::BuildConvexHull(points);
+  if (hull.dimension < 2) return nullptr;
   const auto faces = std::make_shared<std::vector<int>>();
-  for (const dgd_demos::Polyhedron::Face& face : polyhedron.faces) {
-    faces->push_back(kCornersOfFace);
-    faces->insert(faces->end(), face.vertices.begin(), face.vertices.end());
+  for (std::size_t face = 0; face < hull.normals.size(); ++face) {
+    const int begin = hull.facet_start[face], end = hull.facet_start[face + 1];
+    faces->push_back(end - begin);
+    for (int i = begin; i < end; ++i) {
+      faces->push_back(static_cast<int>(hull.facet_vertices[static_cast<std::size_t>(i)]));
+    }
   }
-  return std::make_unique<fcl::Convexd>(std::make_shared<std::vector<Eigen::Vector3d>>(polyhedron.vertices),
-                                        static_cast<int>(polyhedron.faces.size()), faces);
+  return std::make_unique<fcl::Convexd>(std::make_shared<std::vector<Eigen::Vector3d>>(hull.vertices),
+                                        static_cast<int>(hull.normals.size()), faces);
 }
 
 /// @param radius  Of what is left to be rounded.
@@ -52,6 +50,7 @@ std::unique_ptr<fcl::CollisionGeometryd> MakeGeometry(const SetNumbers& set, dou
       radius = 0;
       return std::make_unique<fcl::Capsuled>(set.radius, 2 * lengths[0]);
     case SetType::kBox:
+    case SetType::kPlainBox:
       return std::make_unique<fcl::Boxd>(2 * lengths);
     case SetType::kCylinder:
       return std::make_unique<fcl::Cylinderd>(lengths[0], 2 * lengths[1]);
@@ -59,6 +58,7 @@ std::unique_ptr<fcl::CollisionGeometryd> MakeGeometry(const SetNumbers& set, dou
       return std::make_unique<fcl::Coned>(lengths[0], lengths[1]);
     case SetType::kEllipsoid:
       return std::make_unique<fcl::Ellipsoidd>(lengths);
+    case SetType::kTriangle:
     case SetType::kPolytope:
     case SetType::kMesh:
       return MakeHull(set.points);
@@ -100,8 +100,7 @@ class FclPeer : public Peer {
     if (!result) return std::nullopt;
     // From the first set's nearest point to the second's; the other way where they overlap.
     const Eigen::Vector3d between = result->nearest_points[1] - result->nearest_points[0];
-    if (!(between.squaredNorm() > 0)) return std::nullopt;
-    const Eigen::Vector3d normal = (result->min_distance < 0 ? -between : between).normalized();
+    const Eigen::Vector3d normal = (result->min_distance < 0 ? -between : between).stableNormalized();
     return SeparationAnswer{normal, result->min_distance - radius_1_ - radius_2_,
                             result->nearest_points[0] + radius_1_ * normal,
                             result->nearest_points[1] - radius_2_ * normal};

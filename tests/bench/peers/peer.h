@@ -1,4 +1,4 @@
-// A signed-distance solver of another library on a pair of sets: what the replay compares with.
+// A signed-distance solver on a pair of sets, of another library or of ours: one way to ask them all.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,9 +11,12 @@ namespace dgd_bench {
 
 /// What such a solver says: how far the sets are apart, below 0 for overlap, and along which normal.
 struct SeparationAnswer {
-  Eigen::Vector3d normal;                ///< From set 1 to set 2, world, unit length.
+  /// From set 1 to set 2, world; of unit length, unless the solver knows none: then zero, or not finite.
+  Eigen::Vector3d normal;
   double separation;                     ///< Metres.
   Eigen::Vector3d witness_1, witness_2;  ///< Points of the sets that are so far apart, world.
+
+  bool HasNormal() const { return normal.squaredNorm() > 0; }
 };
 
 /// Where a pair of bodies is, and where it was when it was last asked about.

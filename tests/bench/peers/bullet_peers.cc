@@ -1,4 +1,4 @@
-#include "bench/replay/bullet_peers.h"
+#include "bench/peers/bullet_peers.h"
 
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btCapsuleShape.h>
@@ -42,6 +42,7 @@ std::unique_ptr<btConvexShape> MakeShape(const SetNumbers& set) {
           std::make_unique<btTriangleShape>(ToBullet(set.points[0]), ToBullet(set.points[1]), ToBullet(set.points[2]));
       break;
     case SetType::kBox:
+    case SetType::kPlainBox:
       shape = std::make_unique<btBoxShape>(ToBullet(lengths) + btVector3(radius, radius, radius));
       break;
     case SetType::kCylinder:
@@ -113,11 +114,10 @@ class GjkEpa : public BulletPeer {
 
   std::optional<SeparationAnswer> Ask() const override {
     const LastContact contact = Detect();
-    // A normal that is none is no answer either.
-    if (contact.is_missing || !(contact.normal_b_to_a.length2() > 0)) return std::nullopt;
+    if (contact.is_missing) return std::nullopt;
     const Eigen::Vector3d normal = -FromBullet(contact.normal_b_to_a), on_2 = FromBullet(contact.on_b);
     const double separation = double(contact.separation);
-    return SeparationAnswer{normal.normalized(), separation, on_2 - separation * normal, on_2};
+    return SeparationAnswer{normal.stableNormalized(), separation, on_2 - separation * normal, on_2};
   }
 
  private:
@@ -165,8 +165,8 @@ class Mpr : public BulletPeer {
 
   std::optional<SeparationAnswer> Ask() const override {
     const std::optional<btMprDistanceInfo> info = Detect();
-    if (!info || !(info->m_normalBtoA.length2() > 0)) return std::nullopt;
-    return SeparationAnswer{-FromBullet(info->m_normalBtoA).normalized(), double(info->m_distance),
+    if (!info) return std::nullopt;
+    return SeparationAnswer{-FromBullet(info->m_normalBtoA).stableNormalized(), double(info->m_distance),
                             FromBullet(info->m_pointOnA), FromBullet(info->m_pointOnB)};
   }
 
