@@ -115,6 +115,13 @@ TEST(DgdSoak, TooSmallATolerance_FailsAndSaysHowToReplay) {
   const Outcome replayed = RunSoak(options + replay + index);
   EXPECT_EQ(replayed.status, 1);
   EXPECT_NE(replayed.output.find("complaints"), std::string::npos) << replayed.output;
+
+  const Outcome shrunk = RunSoak(options + replay + index + " --shrink");
+  EXPECT_EQ(shrunk.status, 1);
+  const auto simplest = shrunk.output.find("double, the simplest that fails alike");
+  ASSERT_NE(simplest, std::string::npos) << shrunk.output;
+  EXPECT_NE(shrunk.output.find("complaints", simplest), std::string::npos) << shrunk.output;
+  EXPECT_LT(shrunk.output.size() - simplest, simplest) << "nothing was left out\n" << shrunk.output;
 }
 
 TEST(DgdSoak, Csv_HoldsALineForEachPairOfTypesAndScalar) {
@@ -129,7 +136,7 @@ TEST(DgdSoak, Csv_HoldsALineForEachPairOfTypesAndScalar) {
 TEST(DgdSoak, WrongArguments_EndWithStatusTwo) {
   for (const char* arguments :
        {"--pairs 0", "--frames 0", "--seed -1", "--types boxes", "--scalar half", "--mode hot", "--threads 0",
-        "--tolerance 2", "--replay -1", "--resume /no/such/file", "--pairs 1 --state /no/such/folder/state",
+        "--tolerance 2", "--replay -1", "--shrink", "--resume /no/such/file", "--pairs 1 --state /no/such/folder/state",
         "--pairs 1 --csv /no/such/folder/csv", "--resume /dev/null"}) {
     const Outcome outcome = RunSoak(arguments);
     EXPECT_EQ(outcome.status, 2) << arguments << '\n' << outcome.output;

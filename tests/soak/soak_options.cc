@@ -23,7 +23,7 @@ Examples:
   dgd_soak --pairs 10000000 --state soak.state    a night; Ctrl-C saves the state and ends
   dgd_soak --pairs 10000000 --resume soak.state   goes on where that ended, to the same tables
   dgd_soak --types box,cone --scalar double       pairs of boxes and cones only
-  dgd_soak --seed 1 --replay 4711                 all about one case
+  dgd_soak --seed 1 --replay 4711 --shrink        all about one case, and made simpler if it fails
   dgd_soak --pairs 1000000 --frames 999 --scalar double --mode cold,warm
            --types point,segment,triangle,box,cylinder,cone,frustum,ellipsoid,polytope,affine-box
                                                   1e9 certified answers: to make a pair takes
@@ -108,9 +108,11 @@ void AddRunOptions(CLI::App& app, SoakOptions& options, Words& words) {
       ->type_name("FILE")
       ->check(CLI::ExistingFile.description(""))
       ->excludes(state);
-  app.add_option("--replay", options.replay, "Print everything about the case of this index, and no more")
-      ->type_name("INDEX")
-      ->check(CLI::Range(std::int64_t{0}, kMaxPairs * 100).description(""));
+  auto* replay =
+      app.add_option("--replay", options.replay, "Print everything about the case of this index, and no more")
+          ->type_name("INDEX")
+          ->check(CLI::Range(std::int64_t{0}, kMaxPairs * 100).description(""));
+  app.add_flag("--shrink", options.shrink, "And, if it fails, about the simplest one that fails alike")->needs(replay);
 }
 
 std::string Complete(SoakOptions& options, const Words& words) {

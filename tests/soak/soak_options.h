@@ -32,6 +32,7 @@ struct SoakOptions {
   std::filesystem::path state;  ///< Where the progress is kept; empty for nowhere.
   bool is_resumed = false;      ///< The state is there already.
   std::optional<std::int64_t> replay;
+  bool shrink = false;  ///< And look for a simpler case that fails alike.
 
   /// What decides a case and how it is asked, as options on the command line: a replay needs them, and a state is of
   /// one of these.
