@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::array<double MethodSample::*, kErrorNames.size()> kErrorMembers = {
     &MethodSample::relative_gap, &MethodSample::primal_infeasibility, &MethodSample::dual_infeasibility,
-    &MethodSample::normal_error, &MethodSample::depth_error,          &MethodSample::witness_error};
+    &MethodSample::exact_error,  &MethodSample::normal_error,         &MethodSample::depth_error,
+    &MethodSample::witness_error};
 
 double Mean(const std::vector<double>& numbers) {
   return std::accumulate(numbers.begin(), numbers.end(), 0.0) / static_cast<double>(numbers.size());

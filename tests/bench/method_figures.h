@@ -20,6 +20,7 @@ struct MethodSample {
   double relative_gap = kNone;          ///< Of growth distances, as the next two: dgd/certificate.h.
   double primal_infeasibility = kNone;  ///< Metres.
   double dual_infeasibility = kNone;
+  double exact_error = kNone;   ///< Of growth distances, relative: bench/exact_growth_distance.h.
   double normal_error = kNone;  ///< Of signed distances, as the next two: bench/replay/referee.h. Metres.
   double depth_error = kNone;
   double witness_error = kNone;
@@ -35,10 +36,10 @@ struct ErrorFigure {
 };
 
 /// The errors of MethodSample, in the order of its members.
-enum class ErrorKind : std::uint8_t { kGap, kPrimal, kDual, kNormal, kDepth, kWitness };
-inline constexpr std::array<const char*, 6> kErrorNames = {"relative_gap",       "primal_infeasibility_m",
-                                                           "dual_infeasibility", "normal_error_m",
-                                                           "depth_error_m",      "witness_error_m"};
+enum class ErrorKind : std::uint8_t { kGap, kPrimal, kDual, kExact, kNormal, kDepth, kWitness };
+inline constexpr std::array<const char*, 7> kErrorNames = {
+    "relative_gap",   "primal_infeasibility_m", "dual_infeasibility", "exact_error",
+    "normal_error_m", "depth_error_m",          "witness_error_m"};
 
 struct MethodSummary {
   std::size_t pairs = 0;  ///< 0: the method takes none of them.

@@ -14,7 +14,10 @@ namespace dgd_bench {
 MethodSample SampleOf(const SpeedAnswer& answer);
 
 /// Every question's figures over a class.
+/// @param exact  In how many poses, the first ones, answers are held against the exact one, where there is one: for
+///               meshes that takes a thousand times as long as a query.
 std::vector<MethodSummary> MeasureClass(const PairClass& each, const Meshes& meshes,
-                                        std::span<const SpeedQuestion> questions, const TimedClassOptions& options);
+                                        std::span<const SpeedQuestion> questions, const TimedClassOptions& options,
+                                        int exact = 0);
 
 }  // namespace dgd_bench
