@@ -83,11 +83,24 @@ class Examination {
 
   /// The lower bound never falls, the upper one never rises, and they do not cross, but for rounding. False for NaN,
   /// too.
-  static bool IsMonotone(const dgd::Iterate<S, L>& last, const dgd::Iterate<S, L>& next) {
+  bool IsMonotone(const dgd::Iterate<S, L>& last, const dgd::Iterate<S, L>& next) const {
     // Planes that the ray meets at a slant magnify it: at a sine of 0.06, 6.5 last digits were seen.
-    constexpr S kSlack = 1 + 32 * dgd::kEpsilon<S>;
-    return last.lower_bound <= next.lower_bound * kSlack && next.upper_bound <= last.upper_bound * kSlack &&
-           next.lower_bound <= next.upper_bound * kSlack;
+    constexpr double kUnits = 32;
+    return IsMonotone(last, next, kUnits) || IsMonotone(last, next, kUnits + UnitsOfHeight(next));
+  }
+
+  static bool IsMonotone(const dgd::Iterate<S, L>& last, const dgd::Iterate<S, L>& next, double units) {
+    const S slack = static_cast<S>(1 + units * double(dgd::kEpsilon<S>));
+    return last.lower_bound <= next.lower_bound * slack && next.upper_bound <= last.upper_bound * slack &&
+           next.lower_bound <= next.upper_bound * slack;
+  }
+
+  /// Last digits of a plane's height that the last digits of both sets' points are: many where it is near the centre
+  /// for the size of the sets, as a flat cone's base. In a thousand million queries, half of them were seen.
+  double UnitsOfHeight(const dgd::Iterate<S, L>& iterate) const {
+    const typename AnyPair<S, L>::Point between = pair_.Center(Which::kSecond) - pair_.Center(Which::kFirst);
+    const double height = std::abs(iterate.normal.template cast<double>().dot(between)) / double(iterate.lower_bound);
+    return 2 * pair_.Extent() / height;
   }
 
   Limits<S> LimitsOf(const dgd::Result<S, L>& result) const {
