@@ -6,24 +6,25 @@
 #include "seed_option.h"
 
 namespace dgd_bench {
+namespace {
+
+void AddCount(CLI::App& app, const char* name, int& value, const char* what) {
+  constexpr int kMost = 10'000'000;
+  app.add_option(name, value, what)->type_name("N")->check(CLI::Range(1, kMost).description(""))->capture_default_str();
+}
+
+}  // namespace
 
 bool ClassOptions::Wants(const PairClass& each) const {
   return classes.empty() || std::ranges::count(classes, each.name) > 0;
 }
 
 void AddClassOptions(CLI::App& app, ClassOptions& options) {
-  constexpr int kMost = 10'000'000;
   std::vector<std::string> names;
   for (const PairClass& each : AllPairClasses()) names.emplace_back(each.name);
   app.get_formatter()->column_width(30);
-  app.add_option("--pairs", options.pairs, "Pairs of sets of each class")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMost).description(""))
-      ->capture_default_str();
-  app.add_option("--poses", options.poses, "Poses of each pair")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMost).description(""))
-      ->capture_default_str();
+  AddCount(app, "--pairs", options.pairs, "Pairs of sets of each class");
+  AddCount(app, "--poses", options.poses, "Poses of each pair");
   dgd_demos::AddSeedOption(app, options.seed, "Seed of the sets and poses");
   app.add_option("--classes", options.classes, "Some of the classes below")
       ->type_name("A,B")
@@ -33,16 +34,9 @@ void AddClassOptions(CLI::App& app, ClassOptions& options) {
 }
 
 void AddTimedClassOptions(CLI::App& app, TimedClassOptions& options) {
-  constexpr int kMost = 100'000;
   AddClassOptions(app, options);
-  app.add_option("--repeats", options.repeats, "Queries in a row, of which the mean is taken")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMost).description(""))
-      ->capture_default_str();
-  app.add_option("--rounds", options.rounds, "Turns of all methods, of which each one's least mean counts")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMost).description(""))
-      ->capture_default_str();
+  AddCount(app, "--repeats", options.repeats, "Queries in a row, of which the mean is taken");
+  AddCount(app, "--rounds", options.rounds, "Turns of all methods, of which each one's least mean counts");
 }
 
 std::string ClassesInWords() {

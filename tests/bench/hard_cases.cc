@@ -16,9 +16,9 @@
 #include <variant>
 #include <vector>
 
-#include "bench/any_peer.h"
 #include "bench/exit_status.h"
 #include "bench/guarded_peer.h"
+#include "bench/peers/any_pair_peer.h"
 #include "bench/peers/bullet_peers.h"
 #include "bench/peers/fcl_peer.h"
 #include "program_main.h"

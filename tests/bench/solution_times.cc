@@ -44,6 +44,7 @@ Columns:  pairs that the method takes; times of a query in us, each the least of
 
 Exit status: 0 all of our answers optimal; 1 some not; 2 wrong command line, or a mesh cannot be read.)";
 
+/// Held against exact answers, of each class: as many as --help says.
 constexpr int kExactPoses = 300;
 
 struct Options : TimedClassOptions {

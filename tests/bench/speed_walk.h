@@ -14,8 +14,8 @@ namespace dgd_bench {
 MethodSample SampleOf(const SpeedAnswer& answer);
 
 /// Every question's figures over a class.
-/// @param exact  In how many poses, the first ones, answers are held against the exact one, where there is one: for
-///               meshes that takes a thousand times as long as a query.
+/// @param exact  In how many poses, the first ones, answers are held against the exact one, where there is one
+///               (exact_growth_distance.h), which takes longer to find than all that is measured.
 std::vector<MethodSummary> MeasureClass(const PairClass& each, const Meshes& meshes,
                                         std::span<const SpeedQuestion> questions, const TimedClassOptions& options,
                                         int exact = 0);

@@ -30,8 +30,6 @@ using dgd_test::Vec;
 constexpr std::size_t kMostBodies = 10;
 constexpr int kMostOperations = 60;
 
-bool IsFinite(const btVector3& v) { return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z()); }
-
 dgd_bullet::Options ReadOptions(FuzzInput& input) {
   dgd_bullet::Options options;
   options.on_first_fallback = nullptr;
@@ -318,7 +316,7 @@ class FuzzWorld {
     struct Callback : btCollisionWorld::ContactResultCallback {
       btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
                                const btCollisionObjectWrapper*, int, int) override {
-        if (!IsFiniteContact(point)) Fail("a contact that is not finite goes to the app");
+        if (!dgd_test::IsFinite(point)) Fail("a contact that is not finite goes to the app");
         return 0;
       }
     } callback;
@@ -337,12 +335,6 @@ class FuzzWorld {
   void Tame(Resident& resident, bool is_tame) {
     resident.is_tame = resident.is_tame && is_tame;
     are_all_tame_ = are_all_tame_ && resident.is_tame;
-  }
-
-  static bool IsFiniteContact(const btManifoldPoint& point) {
-    return std::isfinite(point.getDistance()) && IsFinite(point.m_normalWorldOnB) && IsFinite(point.m_localPointA) &&
-           IsFinite(point.m_localPointB) && IsFinite(point.getPositionWorldOnA()) &&
-           IsFinite(point.getPositionWorldOnB());
   }
 
   static std::string Describe(const btPersistentManifold& manifold, const btManifoldPoint& point) {
@@ -367,7 +359,7 @@ class FuzzWorld {
     for (int i = 0; i < dispatcher_.getNumManifolds(); ++i) {
       const btPersistentManifold& manifold = *dispatcher_.getManifoldByIndexInternal(i);
       for (int j = 0; j < manifold.getNumContacts(); ++j) {
-        if (!IsFiniteContact(manifold.getContactPoint(j))) Fail(Describe(manifold, manifold.getContactPoint(j)));
+        if (!dgd_test::IsFinite(manifold.getContactPoint(j))) Fail(Describe(manifold, manifold.getContactPoint(j)));
       }
     }
     if (!are_all_tame_) return;

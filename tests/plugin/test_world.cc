@@ -70,11 +70,21 @@ std::vector<btManifoldPoint> TestWorld::Points() {
   return points;
 }
 
+bool IsFinite(const btVector3& vector) {
+  return std::isfinite(vector.x()) && std::isfinite(vector.y()) && std::isfinite(vector.z());
+}
+
 bool IsFinite(const btTransform& transform) {
   btScalar sum = 0;
   for (int row = 0; row < 3; ++row)
     sum += transform.getBasis()[row].dot(btVector3(1, 1, 1)) + transform.getOrigin()[row];
   return std::isfinite(sum);
+}
+
+bool IsFinite(const btManifoldPoint& point) {
+  return std::isfinite(point.getDistance()) && IsFinite(point.m_normalWorldOnB) && IsFinite(point.m_localPointA) &&
+         IsFinite(point.m_localPointB) && IsFinite(point.getPositionWorldOnA()) &&
+         IsFinite(point.getPositionWorldOnB());
 }
 
 }  // namespace dgd_test

@@ -88,6 +88,9 @@ class TestWorld {
 };
 
 /// Whether all twelve numbers are finite.
+bool IsFinite(const btVector3& vector);
 bool IsFinite(const btTransform& transform);
+/// Distance, normal and positions, on the bodies and in the world.
+bool IsFinite(const btManifoldPoint& point);
 
 }  // namespace dgd_test

@@ -96,7 +96,8 @@ class Examination {
   }
 
   /// Last digits of a plane's height that the last digits of both sets' points are: many where it is near the centre
-  /// for the size of the sets, as a flat cone's base. In a thousand million queries, half of them were seen.
+  /// for the size of the sets, as a flat cone's base. A quarter of them was the most that was seen, in 566 million
+  /// queries of which four were beyond what is allowed at a slant.
   double UnitsOfHeight(const dgd::Iterate<S, L>& iterate) const {
     const typename AnyPair<S, L>::Point between = pair_.Center(Which::kSecond) - pair_.Center(Which::kFirst);
     const double height = std::abs(iterate.normal.template cast<double>().dot(between)) / double(iterate.lower_bound);

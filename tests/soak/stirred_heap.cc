@@ -1,5 +1,6 @@
 #include "soak/stirred_heap.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -16,8 +17,6 @@ constexpr double kStirring = 0.4;   // Turns of the paddle, 1/s.
 constexpr double kFall = 5;         // Height that bodies fall from, m.
 constexpr int kStepsToReplace = 6;  // A tenth of a second.
 constexpr double kDensity = 500;    // kg of a body of 1 m.
-
-bool IsFiniteVector(const btVector3& v) { return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z()); }
 
 }  // namespace
 
@@ -104,8 +103,8 @@ void StirredHeap::ReplaceOne() {
 bool StirredHeap::IsFinite() {
   for (const Resident& resident : residents_) {
     const btRigidBody& body = *resident.body;
-    if (!dgd_test::IsFinite(body.getWorldTransform()) || !IsFiniteVector(body.getLinearVelocity()) ||
-        !IsFiniteVector(body.getAngularVelocity())) {
+    if (!dgd_test::IsFinite(body.getWorldTransform()) || !dgd_test::IsFinite(body.getLinearVelocity()) ||
+        !dgd_test::IsFinite(body.getAngularVelocity())) {
       return false;
     }
   }
@@ -113,10 +112,7 @@ bool StirredHeap::IsFinite() {
     const btPersistentManifold& manifold = *dispatching_.dispatcher().getManifoldByIndexInternal(i);
     for (int j = 0; j < manifold.getNumContacts(); ++j) {
       const btManifoldPoint& point = manifold.getContactPoint(j);
-      if (!std::isfinite(point.getDistance()) || !IsFiniteVector(point.m_normalWorldOnB) ||
-          !IsFiniteVector(point.getPositionWorldOnB()) || !std::isfinite(point.getAppliedImpulse())) {
-        return false;
-      }
+      if (!dgd_test::IsFinite(point) || !std::isfinite(point.getAppliedImpulse())) return false;
     }
   }
   return true;

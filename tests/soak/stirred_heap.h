@@ -3,7 +3,7 @@
 
 #include <btBulletDynamicsCommon.h>
 
-#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 

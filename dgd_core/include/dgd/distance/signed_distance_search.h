@@ -419,6 +419,8 @@ class SignedDistanceSearch {
   static constexpr S kUnits = 8;
   /// What is asked for beyond the tolerance: two digits of the points.
   static constexpr S kForPoints = S(1e-4);
+  /// Of the squared length, that another nearest point may be longer by, and how often. Of four searches in float that
+  /// stalled 1e-4 m off, in 24 seeds of the test of FollowDistance(), one such step freed all; by one unit, three.
   static constexpr S kAsNear = 4 * kEpsilon<S>;
   static constexpr int kMaxSideways = 3;
   /// A tetrahedron as flat as so many roundings has faces that know where they look.

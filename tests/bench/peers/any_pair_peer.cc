@@ -1,4 +1,4 @@
-#include "bench/any_peer.h"
+#include "bench/peers/any_pair_peer.h"
 
 #include "bench/stopwatch.h"
 #include "support/pairs/any_pair.h"
