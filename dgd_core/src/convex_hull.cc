@@ -207,8 +207,37 @@ class QhullRun {
   std::size_t length_ = 0;
 };
 
+/// The coordinates that Qhull is given, about a point of the set: its tolerances grow with the distance from the
+/// origin. And with the extent, by which it merges the sides of a thin set with its faces, and loses what is a vertex
+/// seen from above (fuzz_hull found four of five). Affine maps keep a hull's vertices and facets: so a thin set is
+/// stretched.
+class QhullCoordinates {
+ public:
+  explicit QhullCoordinates(const AffineFrame& frame)
+      : origin_(frame.origin), is_stretched_(frame.reaches[2] < kThin * frame.reaches[0]) {
+    for (int axis = 0; is_stretched_ && axis < 3; ++axis) to_qhull_.row(axis) = frame.axes[axis] / frame.reaches[axis];
+    if (to_qhull_.determinant() < 0) to_qhull_.row(2) *= -1;
+  }
+
+  Vector3d ToQhull(const Vector3d& point) const {
+    return is_stretched_ ? Vector3d(to_qhull_ * (point - origin_)) : Vector3d(point - origin_);
+  }
+  /// Unit normal of a plane of Qhull's.
+  Vector3d NormalFromQhull(const Vector3d& normal) const {
+    return is_stretched_ ? Vector3d((to_qhull_.transpose() * normal).normalized()) : normal;
+  }
+
+ private:
+  /// Of the extent.
+  static constexpr double kThin = 1e-3;
+
+  Vector3d origin_;
+  Eigen::Matrix3d to_qhull_ = Eigen::Matrix3d::Identity();
+  bool is_stretched_;
+};
+
 /// Copies Qhull's facets, with coplanar neighbours merged, and their vertices; `points` are what it was given.
-void CopyFacets(qhT* qh, std::span<const Vector3d> points, ConvexHull& hull) {
+void CopyFacets(qhT* qh, std::span<const Vector3d> points, const QhullCoordinates& coordinates, ConvexHull& hull) {
   std::vector<VertexId> renumbered(points.size(), kNoFeature);
   facetT* facet;
   FORALLfacet_(qh->facet_list) {
@@ -228,13 +257,13 @@ void CopyFacets(qhT* qh, std::span<const Vector3d> points, ConvexHull& hull) {
 
     // Newell's normal of the loop decides the order: counterclockwise seen from outside.
     const Vector3d outward(facet->normal[0], facet->normal[1], facet->normal[2]);
+    const auto corner = [&](std::size_t i) { return coordinates.ToQhull(hull.vertices[loop[i]]); };
     Vector3d newell = Vector3d::Zero();
     for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-      newell +=
-          (hull.vertices[loop[i]] - hull.vertices[loop[0]]).cross(hull.vertices[loop[i + 1]] - hull.vertices[loop[0]]);
+      newell += (corner(i) - corner(0)).cross(corner(i + 1) - corner(0));
     }
     if (newell.dot(outward) < 0) std::reverse(loop.begin(), loop.end());
-    AddFacet(hull, outward, loop);
+    AddFacet(hull, coordinates.NormalFromQhull(outward), loop);
   }
 }
 
@@ -294,20 +323,21 @@ constexpr double kMaxFlattened = 100 * kFlatness;
 }
 
 ConvexHull SolidHull(std::span<const Vector3d> points, const AffineFrame& frame) {
-  // Relative to a point of the set: Qhull's tolerances grow with the distance from the origin.
-  std::vector<double> coordinates;
-  coordinates.reserve(3 * points.size());
+  const QhullCoordinates coordinates(frame);
+  std::vector<double> numbers;
+  numbers.reserve(3 * points.size());
   for (const Vector3d& point : points) {
-    for (int axis = 0; axis < 3; ++axis) coordinates.push_back(point[axis] - frame.origin[axis]);
+    const Vector3d given = coordinates.ToQhull(point);
+    numbers.insert(numbers.end(), given.begin(), given.end());
   }
   QhullRun run;
-  if (!run.Run(coordinates)) {
+  if (!run.Run(numbers)) {
     if (frame.reaches[2] > kMaxFlattened * frame.reaches[0]) RefuseSolid(frame, run.Message());
     return PlanarHull(points, frame);
   }
   ConvexHull hull;
   hull.dimension = 3;
-  CopyFacets(run.get(), points, hull);
+  CopyFacets(run.get(), points, coordinates, hull);
   FindCenterAndInradius(hull);
   return hull;
 }

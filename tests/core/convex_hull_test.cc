@@ -130,6 +130,20 @@ void CheckBall(const ConvexHull& hull, const Points& points, double tolerance) {
   }
 }
 
+/// No point of the set is farther along any direction than the farthest vertex: none of the vertices is missing.
+void CheckSupport(const ConvexHull& hull, const Points& points, double tolerance) {
+  Random random(4);
+  const auto height = [](const Points& set, const Vector3d& direction) {
+    double highest = -std::numeric_limits<double>::infinity();
+    for (const Vector3d& point : set) highest = std::max(highest, direction.dot(point));
+    return highest;
+  };
+  for (int i = 0; i < 100; ++i) {
+    const Vector3d direction = i < 6 ? Vector3d(Vector3d::Unit(i / 2) * (i % 2 == 0 ? 1 : -1)) : random.UnitVector();
+    EXPECT_LE(height(points, direction) - height(hull.vertices, direction), tolerance) << direction.transpose();
+  }
+}
+
 /// All of the above for a solid hull. Qhull may move a facet by some roundings of the extent.
 ConvexHull CheckSolid(const Points& points) {
   const ConvexHull hull = BuildConvexHull(points);
@@ -142,6 +156,7 @@ ConvexHull CheckSolid(const Points& points) {
   CheckAdjacency(hull);
   CheckFacets(hull, points, 1e-13 * Extent(points) + rounding);
   CheckBall(hull, points, rounding);
+  CheckSupport(hull, points, 1e-13 * Extent(points) + rounding);
   return hull;
 }
 
@@ -232,6 +247,7 @@ void CheckNearlyFlat(double thickness, bool turned) {
     CheckAdjacency(hull);
     CheckFacets(hull, points, 4e-12);
     CheckBall(hull, points, 1e-15);
+    CheckSupport(hull, points, 4e-12);
   }
 }
 
@@ -428,6 +444,20 @@ TEST(ConvexHull, PointsTooFarOff_AreRefused) {
   EXPECT_EQ(hull.dimension, 3);
   EXPECT_TRUE(hull.center.allFinite());
   EXPECT_GT(hull.inradius, 1e74);
+}
+
+// Found by fuzz_hull: Qhull merged the sides of a set 1e-10 thick with its faces, and the second point was no vertex.
+TEST(ConvexHull, Sheet_KeepsWhatIsAVertexSeenFromAbove) {
+  const Points points = {{-6.0084, -6.02392, -7.01e-10},
+                         {-6.00146484375, -6.023681640625, -7.01e-10},
+                         {-6.023681640625, -6.023681640625, -7.01e-10},
+                         {2.351318359375, 2.492431640625, 3.84e-11},
+                         {4.009521484375, 3.9560546875, 7.96e-10}};
+  const ConvexHull hull = BuildConvexHull(points);
+  EXPECT_EQ(hull.vertices.size(), points.size());
+  CheckEdges(hull);
+  CheckFacets(hull, points, 1e-13);
+  CheckSupport(hull, points, 1e-13);
 }
 
 // Areas of 1e-320 square metres are no numbers to divide by.
