@@ -23,6 +23,16 @@ inline Vector3 FromBullet(const btVector3& v) {
 
 inline btVector3 ToBullet(const Vector3& v) { return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())}; }
 
+/// A direction of the frame that FromBullet() gives a pose with this up axis, in Bullet's own.
+inline btVector3 InBulletAxes(const Vector3& v, int up_axis) {
+  const int x = up_axis == 2 ? 0 : up_axis + 1, y = x == 2 ? 0 : x + 1;
+  btVector3 in_bullet;
+  in_bullet[x] = btScalar(v.x());
+  in_bullet[y] = btScalar(v.y());
+  in_bullet[up_axis] = btScalar(v.z());
+  return in_bullet;
+}
+
 /// In Bullet's precision, and not above.
 inline btScalar RoundDown(double value) {
   const btScalar rounded = btScalar(value);

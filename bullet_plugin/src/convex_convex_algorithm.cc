@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <limits>
 #include <new>
 #include <optional>
 #include <typeinfo>
@@ -103,6 +104,7 @@ ConvexConvexAlgorithm::~ConvexConvexAlgorithm() {
 void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* body_0,
                                              const btCollisionObjectWrapper* body_1, const btDispatcherInfo& info,
                                              btManifoldResult* output) {
+  PrefetchManifold();
   if (Recorder* recorder = narrowphase_.options().recorder) recorder->Add(*body_0, *body_1);
   const auto count = [&](Fallback fallback) {
     narrowphase_.CountFallback(*body_0->getCollisionShape(), *body_1->getCollisionShape(), fallback);
@@ -124,6 +126,19 @@ void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* bod
   if (owns_manifold_) {
     output->refreshContactPoints();
     DropPointsNotFinite(*manifold_);
+  }
+}
+
+void ConvexConvexAlgorithm::PrefetchManifold() const {
+  if (manifold_ == nullptr) return;
+  // Beside the number of points and the breaking threshold.
+  __builtin_prefetch(&manifold_->m_companionIdA);
+  if (!had_contact_) return;
+  constexpr std::size_t kLine = 64;
+  const auto* points = reinterpret_cast<const char*>(manifold_);
+  for (std::size_t at = 0; at < MANIFOLD_CACHE_SIZE * sizeof(btManifoldPoint); at += kLine) {
+    constexpr int kForWriting = 1;
+    __builtin_prefetch(points + at, kForWriting);
   }
 }
 
@@ -174,7 +189,10 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObj
   if (is_other_order) std::swap(hull_0_, hull_1_);
   Query query(narrowphase_, *body_0, hull_0_, *body_1, hull_1_);
   Recall(is_other_order, query.shape_a.pose, query.shape_b.pose);
-  query.motion = MotionToMeet(*body_0->getCollisionObject(), *body_1->getCollisionObject(), info);
+  const btCollisionObject &object_a = *body_0->getCollisionObject(), &object_b = *body_1->getCollisionObject();
+  if (MeetsEarly(object_a, object_b)) {
+    query.motion = {BodyReach(object_a), BodyReach(object_b), double(info.m_timeStep)};
+  }
   query.breaking_threshold = double(manifold_->getContactBreakingThreshold());
   query.contact_distance = ContactDistance(output);
   query.is_asked = IsAskedByApp(output);
@@ -271,13 +289,18 @@ bool ConvexConvexAlgorithm::StaysApart(const btCollisionObjectWrapper& body_0, c
       options.geometry_mode != GeometryMode::kBullet || WantsContacts(info.m_debugDraw)) {
     return false;
   }
-  if (owns_manifold_ && manifold_->getNumContacts() > 0) return false;  // Of an answer that was not ours.
   const bool is_swapped = ComesBefore(body_1, body_0);
   if (is_swapped != was_swapped_) return false;
   const btCollisionObjectWrapper &a = is_swapped ? body_1 : body_0, &b = is_swapped ? body_0 : body_1;
-  const PairMotion motion = MotionToMeet(*a.getCollisionObject(), *b.getCollisionObject(), info);
-  const Vector3 normal = FromBullet(a.getWorldTransform(), UpAxis(ShapeOf(&a))).rotation * warm_start_.normal_1;
-  if (!AreApart(a, b, normal, std::max(ContactDistance(output), motion.MaxApproach(normal)))) return false;
+  const BodyReach reach_a(*a.getCollisionObject()), reach_b(*b.getCollisionObject());
+  const btVector3 normal = a.getWorldTransform().getBasis() * InBulletAxes(warm_start_.normal_1, UpAxis(ShapeOf(&a)));
+  const double separation = SeparationAlong({a, reach_a}, {b, reach_b}, normal);
+  // What memory is slow to bring comes last.
+  if (!(separation > ContactDistance(output) && separation < std::numeric_limits<double>::infinity())) return false;
+  const PairMotion motion =
+      MeetsEarly(reach_a.object, reach_b.object) ? PairMotion(reach_a, reach_b, double(info.m_timeStep)) : PairMotion();
+  if (!(separation > motion.MaxApproach(FromBullet(normal)))) return false;
+  if (owns_manifold_ && manifold_->getNumContacts() > 0) return false;  // Of an answer that was not ours.
   if (PairCounters* counters = narrowphase_.pair_counters()) {
     counters->Count(ShapeOf(&a).getShapeType(), ShapeOf(&b).getShapeType(),
                     {.way = PairOutcome::Way::kSeparated, .iterations = 1});
@@ -324,13 +347,10 @@ void ConvexConvexAlgorithm::Recall(bool is_other_order, const Pose& pose_a, cons
   }
 }
 
-PairMotion ConvexConvexAlgorithm::MotionToMeet(const btCollisionObject& object_0, const btCollisionObject& object_1,
-                                               const btDispatcherInfo& info) const {
+bool ConvexConvexAlgorithm::MeetsEarly(const btCollisionObject& object_0, const btCollisionObject& object_1) const {
   // A shared manifold is refreshed by whoever shares it, and loses far points there. A contact that is met early takes
   // its part of the step from the speed of the rebound.
-  const bool meets =
-      speculative_ && owns_manifold_ && !(btManifoldResult::calculateCombinedRestitution(&object_0, &object_1) > 0);
-  return meets ? PairMotion(object_0, object_1, double(info.m_timeStep)) : PairMotion();
+  return speculative_ && owns_manifold_ && !(btManifoldResult::calculateCombinedRestitution(&object_0, &object_1) > 0);
 }
 
 void ConvexConvexAlgorithm::WriteContacts(const dgd::ContactPatch<double>& patch, const Vector3& normal,

@@ -47,6 +47,10 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   /// Makes the manifold if there is none yet. False if the dispatcher has none left.
   bool HasManifold(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1);
 
+  /// Has memory bring what of the manifold will be read, while the answer is made: in a world of thousands of pairs it
+  /// is nowhere near, and to wait for it takes as long as to tell that a pair is apart.
+  void PrefetchManifold() const;
+
   /// Solves the pair and writes its contacts. If that failed: why; nothing was written then.
   std::optional<Fallback> FindContacts(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1,
                                        const btDispatcherInfo& info, btManifoldResult& output);
@@ -79,25 +83,25 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   /// solved in now.
   void Recall(bool is_other_order, const Pose& pose_a, const Pose& pose_b);
 
-  /// The bodies' motion as far as contacts may meet it before they touch; at rest if none may.
-  PairMotion MotionToMeet(const btCollisionObject& object_0, const btCollisionObject& object_1,
-                          const btDispatcherInfo& info) const;
+  /// Whether contacts may meet the bodies' motion before they touch.
+  bool MeetsEarly(const btCollisionObject& object_0, const btCollisionObject& object_1) const;
 
   /// Makes the manifold's points those of the patch, through the output.
   void WriteContacts(const dgd::ContactPatch<double>& patch, const Vector3& normal, btManifoldResult& output);
 
+  // What a pair that rests or stays apart needs comes first, up to the last normal: two lines of the cache.
   Narrowphase& narrowphase_;
   btPersistentManifold* manifold_;
-  std::shared_ptr<const CachedHull> hull_0_, hull_1_;  // In the order that the shapes are solved in (pair_order.h).
-  dgd::WarmStart<double> warm_start_;
-  std::unique_ptr<RestingPair> resting_;  // Once the pair has rested.
-  bool is_resting_ = false;               // That is what the manifold's contacts have been found for.
+  bool is_resting_ = false;  // That is what the manifold's contacts have been found for.
   bool owns_manifold_ = false;
   bool may_be_apart_ = true;                              // The cores, by all that is known: FollowDistance() is tried.
   bool had_contact_ = false;                              // In the last step.
-  bool was_swapped_ = false;                              // That order is not Bullet's.
+  bool was_swapped_ = false;                              // The order of the hulls below is not Bullet's.
   dgd::FaceHolder face_holder_ = dgd::FaceHolder::kNone;  // Of the last contact.
   const bool speculative_;
+  std::unique_ptr<RestingPair> resting_;               // Once the pair has rested.
+  std::shared_ptr<const CachedHull> hull_0_, hull_1_;  // In the order that the shapes are solved in (pair_order.h).
+  dgd::WarmStart<double> warm_start_;
 };
 
 // The pool hands out slots without looking at the size: 184 bytes is the largest algorithm of Bullet's own, so every

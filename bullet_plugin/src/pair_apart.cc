@@ -1,12 +1,15 @@
 #include "pair_apart.h"
 
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btCapsuleShape.h>
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletCollision/CollisionShapes/btConvexPointCloudShape.h>
+#include <BulletCollision/CollisionShapes/btCylinderShape.h>
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 
 #include "pair_motion.h"
 
@@ -21,63 +24,73 @@ constexpr double kRounding = 32 * double(std::numeric_limits<btScalar>::epsilon(
 /// way takes 2000 in all (callgrind, hulls of 8 to 20 points).
 constexpr int kMostPoints = 64;
 
-/// Largest <direction, point>, in Bullet's precision. NaN counts as no point: a hull that has one is no shape, and the
-/// solver's to refuse.
-double Highest(const btVector3* points, int count, const btVector3& direction) {
+constexpr btScalar kUnknown = std::numeric_limits<btScalar>::infinity();
+
+/// Largest <direction, point>. NaN counts as no point: a hull that has one is no shape, and the solver's to refuse.
+btScalar Highest(const btVector3* points, int count, const btVector3& direction) {
   btScalar highest = -BT_LARGE_FLOAT;
   for (const btVector3* point = points; point != points + count; ++point) {
     const btScalar height = direction.x() * point->x() + direction.y() * point->y() + direction.z() * point->z();
     highest = height > highest ? height : highest;
   }
-  return double(highest);
+  return highest;
 }
 
 template <class Shape>
-std::optional<double> HighestPoint(const btConvexShape& shape, const btVector3& direction) {
+btScalar HighestPoint(const btConvexShape& shape, const btVector3& direction) {
   const auto& points = static_cast<const Shape&>(shape);
   const int count = points.getNumPoints();
-  if (count < 1 || count > kMostPoints) return std::nullopt;
+  if (count < 1 || count > kMostPoints) return kUnknown;
   return Highest(points.getUnscaledPoints(), count, direction * points.getLocalScalingNV());
 }
 
-/// Largest <direction, x> over a shape without its margin, metres; nothing if it would take long.
-std::optional<double> CoreSupportValue(const btConvexShape& shape, const btVector3& direction) {
+/// A margin set larger than the shape turns Bullet's core inside out; the solver's is a point then. NaN stays NaN.
+btScalar Extent(btScalar half_extent) { return half_extent < 0 ? btScalar(0) : half_extent; }
+
+/// Largest <direction, x> over a shape without its margin, metres; kUnknown if it would take long.
+btScalar CoreSupportValue(const btConvexShape& shape, const btVector3& direction) {
   switch (shape.getShapeType()) {
     case CONVEX_HULL_SHAPE_PROXYTYPE:
       return HighestPoint<btConvexHullShape>(shape, direction);
     case CONVEX_POINT_CLOUD_SHAPE_PROXYTYPE:
       return HighestPoint<btConvexPointCloudShape>(shape, direction);
     case CONVEX_TRIANGLEMESH_SHAPE_PROXYTYPE:
-      return std::nullopt;
-    case BOX_SHAPE_PROXYTYPE:
+      return kUnknown;
+    case SPHERE_SHAPE_PROXYTYPE:
+      return 0;
+    case CAPSULE_SHAPE_PROXYTYPE: {
+      const auto& capsule = static_cast<const btCapsuleShape&>(shape);
+      return Extent(capsule.getHalfHeight()) * btFabs(direction[capsule.getUpAxis()]);
+    }
+    case BOX_SHAPE_PROXYTYPE: {
+      const btVector3& half = static_cast<const btBoxShape&>(shape).getHalfExtentsWithoutMargin();
+      return Extent(half.x()) * btFabs(direction.x()) + Extent(half.y()) * btFabs(direction.y()) +
+             Extent(half.z()) * btFabs(direction.z());
+    }
     case CYLINDER_SHAPE_PROXYTYPE:
-      // A margin set larger than the shape turns Bullet's core inside out; the solver's is a point then.
-      return std::max(0.0, double(direction.dot(shape.localGetSupportVertexWithoutMarginNonVirtual(direction))));
+      return btMax(btScalar(0), direction.dot(shape.localGetSupportVertexWithoutMarginNonVirtual(direction)));
     default:
-      return double(direction.dot(shape.localGetSupportVertexWithoutMarginNonVirtual(direction)));
+      return direction.dot(shape.localGetSupportVertexWithoutMarginNonVirtual(direction));
   }
 }
 
-/// Largest <direction, x> over a body, margin and rounding included; world, metres.
-std::optional<double> SupportValue(const btCollisionObjectWrapper& body, const Vector3& direction) {
-  const auto& shape = static_cast<const btConvexShape&>(*body.getCollisionShape());
-  const btTransform& transform = body.getWorldTransform();
-  const btVector3 local = ToBullet(direction) * transform.getBasis();
-  const std::optional<double> height = CoreSupportValue(shape, local);
-  if (!height) return std::nullopt;
-  const Vector3 origin = FromBullet(transform.getOrigin());
-  return direction.dot(origin) + *height + double(shape.getMargin()) +
-         kRounding * Reach(*body.getCollisionObject(), origin);
+/// Largest <direction, x> over a shape, margin and rounding included, from its own origin; the direction is the
+/// world's, metres.
+double SupportValue(const PlacedShape& placed, const btVector3& direction) {
+  const auto& shape = static_cast<const btConvexShape&>(*placed.wrapper.getCollisionShape());
+  const btTransform& pose = placed.wrapper.getWorldTransform();
+  // Of a part of a body, the origin is elsewhere.
+  const btVector3 aside = (pose.getOrigin() - placed.body.object.getWorldTransform().getOrigin()).absolute();
+  const double reach = placed.body.reach + double(aside.x() + aside.y() + aside.z());
+  return double(CoreSupportValue(shape, direction * pose.getBasis())) + double(shape.getMargin()) + kRounding * reach;
 }
 
 }  // namespace
 
-bool AreApart(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b, const Vector3& normal,
-              double limit) {
-  const std::optional<double> top_a = SupportValue(body_a, normal), top_b = SupportValue(body_b, -normal);
-  if (!top_a || !top_b) return false;
-  const double separation = -*top_a - *top_b;
-  return separation > limit && separation < std::numeric_limits<double>::infinity();  // False for NaN.
+double SeparationAlong(const PlacedShape& shape_a, const PlacedShape& shape_b, const btVector3& normal) {
+  const Vector3 between = FromBullet(shape_b.wrapper.getWorldTransform().getOrigin()) -
+                          FromBullet(shape_a.wrapper.getWorldTransform().getOrigin());
+  return FromBullet(normal).dot(between) - SupportValue(shape_a, normal) - SupportValue(shape_b, -normal);
 }
 
 }  // namespace dgd_bullet

@@ -5,16 +5,23 @@
 // has to be compared with what they are now: in a heap of thousands, memory is what pairs wait for.
 #pragma once
 
-#include "solver_types.h"
+#include <LinearMath/btVector3.h>
 
 struct btCollisionObjectWrapper;
 
 namespace dgd_bullet {
 
-/// Whether two convex shapes, with their margins, are farther apart along a normal than `limit`, metres. False where
-/// that would take longer than the solver: of large hulls, and of meshes.
-/// @param normal  Unit, from A to B, world.
-bool AreApart(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b, const Vector3& normal,
-              double limit);
+struct BodyReach;
+
+/// A convex shape where it is now, as part of a body or as all of it.
+struct PlacedShape {
+  const btCollisionObjectWrapper& wrapper;
+  const BodyReach& body;
+};
+
+/// How far two convex shapes, with their margins, are at least apart along a direction; metres, rounding allowed for.
+/// Not finite where that would take longer than the solver, of large hulls and of meshes; and of what is no shape.
+/// @param normal  From A to B, of unit length within rounding, world.
+double SeparationAlong(const PlacedShape& shape_a, const PlacedShape& shape_b, const btVector3& normal);
 
 }  // namespace dgd_bullet

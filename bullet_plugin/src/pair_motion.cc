@@ -6,29 +6,33 @@
 
 namespace dgd_bullet {
 
-double Reach(const btCollisionObject& object, const Vector3& from) {
+double Reach(const btCollisionObject& object, const btVector3& from) {
   const btBroadphaseProxy* proxy = object.getBroadphaseHandle();
   if (proxy == nullptr) {
-    return double(object.getCollisionShape()->getAngularMotionDisc()) +
-           (FromBullet(object.getWorldTransform().getOrigin()) - from).norm();
+    return double(object.getCollisionShape()->getAngularMotionDisc() +
+                  (object.getWorldTransform().getOrigin() - from).length());
   }
-  const Vector3 low = FromBullet(proxy->m_aabbMin), high = FromBullet(proxy->m_aabbMax);
-  return (high - from).cwiseMax(from - low).norm();
+  btVector3 farthest = proxy->m_aabbMax - from;
+  farthest.setMax(from - proxy->m_aabbMin);
+  return double(farthest.length());
 }
 
-PairMotion::Twist PairMotion::Read(const btCollisionObject& object) {
-  const btRigidBody* body = btRigidBody::upcast(&object);
-  if (body == nullptr || body->isStaticObject()) return {};
+BodyReach::BodyReach(const btCollisionObject& body)
+    : object(body), reach(Reach(body, body.getWorldTransform().getOrigin())) {}
+
+PairMotion::Twist PairMotion::Read(const BodyReach& body) {
+  const btRigidBody* rigid = btRigidBody::upcast(&body.object);
+  if (rigid == nullptr || rigid->isStaticObject()) return {};
   // The centre of mass is the origin of the world transform.
-  const Vector3 center = FromBullet(body->getWorldTransform().getOrigin());
-  return {FromBullet(body->getLinearVelocity()), FromBullet(body->getAngularVelocity()), center, Reach(object, center)};
+  return {FromBullet(rigid->getLinearVelocity()), FromBullet(rigid->getAngularVelocity()),
+          FromBullet(rigid->getWorldTransform().getOrigin()), body.reach};
 }
 
 dgd::Motion<double> PairMotion::Twist::MotionOf(const Pose& pose, double time) const {
   return {pose, time * linear, time * angular, pose.rotation.transpose() * (center - pose.translation)};
 }
 
-PairMotion::PairMotion(const btCollisionObject& body_a, const btCollisionObject& body_b, double time_step)
+PairMotion::PairMotion(const BodyReach& body_a, const BodyReach& body_b, double time_step)
     : a_(Read(body_a)), b_(Read(body_b)), time_step_(time_step) {}
 
 }  // namespace dgd_bullet

@@ -10,7 +10,15 @@ namespace dgd_bullet {
 
 /// Distance from a world point, as the body's origin, to the farthest corner of the body's bounding box: no point of
 /// the body is farther. Of a body that is in no broadphase, by Bullet's own bound, which computes a bounding box first.
-double Reach(const btCollisionObject& object, const Vector3& from);
+double Reach(const btCollisionObject& object, const btVector3& from);
+
+/// A body, and how far its farthest point is from its origin, metres.
+struct BodyReach {
+  explicit BodyReach(const btCollisionObject& body);
+
+  const btCollisionObject& object;
+  double reach;
+};
 
 class PairMotion {
  public:
@@ -18,7 +26,7 @@ class PairMotion {
   PairMotion() = default;
 
   /// The bodies' motion over `time_step` seconds. Only rigid bodies have velocities; others count as at rest.
-  PairMotion(const btCollisionObject& body_a, const btCollisionObject& body_b, double time_step);
+  PairMotion(const BodyReach& body_a, const BodyReach& body_b, double time_step);
 
   /// Metres by which the surfaces come closer along `normal` (unit, from A to B) at a world point; negative if they
   /// part.
@@ -59,7 +67,7 @@ class PairMotion {
     double reach = 0;                   // From the centre to the body's farthest point, metres.
   };
 
-  static Twist Read(const btCollisionObject& object);
+  static Twist Read(const BodyReach& body);
 
   Twist a_, b_;
   double time_step_ = 0;

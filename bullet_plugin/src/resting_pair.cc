@@ -96,7 +96,7 @@ bool RestingPair::IsSame(const Side& then, const btCollisionObjectWrapper& body,
   if (shape != then.shape) return false;
   // False also where a pose is not finite.
   const btTransform& pose = body.getWorldTransform();
-  const double reach = Reach(*body.getCollisionObject(), FromBullet(pose.getOrigin()));
+  const double reach = Reach(*body.getCollisionObject(), pose.getOrigin());
   if (!(Way(then.pose, pose, btScalar(reach)) <= distance)) return false;
   const int type = shape->getShapeType();
   if (type != then.type || shape->getMargin() != then.margin) return false;
