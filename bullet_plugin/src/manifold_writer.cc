@@ -8,17 +8,9 @@
 #include <cmath>
 #include <utility>
 
+#include "finite_result.h"
+
 namespace dgd_bullet {
-namespace {
-
-/// What Bullet makes of a contact are products of two lengths: in float, of 1e19 m they would be infinite.
-constexpr double kFarthest = 1e15;
-
-bool IsSomewhere(const dgd::ContactPoint<double>& point) {
-  return std::abs(point.separation) <= kFarthest && point.on_2.cwiseAbs().maxCoeff() <= kFarthest;
-}
-
-}  // namespace
 
 void DropStalePoints(btPersistentManifold& manifold, const dgd::ContactPatch<double>& patch) {
   const int cached = manifold.getNumContacts();
@@ -55,8 +47,9 @@ void WritePatch(const dgd::ContactPatch<double>& patch, const Vector3& normal, b
   const btVector3 normal_on_b = ToBullet(-normal);
   for (int i = 0; i < patch.size; ++i) {
     const dgd::ContactPoint<double>& point = patch.points[static_cast<std::size_t>(i)];
-    if (!IsSomewhere(point)) continue;
-    output.addContactPoint(normal_on_b, ToBullet(point.on_2), btScalar(point.separation));
+    const btVector3 on_b = ToBullet(point.on_2);
+    const auto separation = btScalar(point.separation);
+    if (IsSomewhere(on_b, separation)) output.addContactPoint(normal_on_b, on_b, separation);
   }
 }
 

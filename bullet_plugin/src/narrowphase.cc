@@ -13,6 +13,7 @@
 #include <string>
 
 #include "convex_convex_algorithm.h"
+#include "finite_result.h"
 
 namespace dgd_bullet {
 
@@ -69,7 +70,8 @@ void Narrowphase::FallBack(btDispatcher& dispatcher, const btCollisionObjectWrap
   const btCollisionAlgorithmConstructionInfo construction(&dispatcher, 0);
   btConvexConvexAlgorithm algorithm(output.getPersistentManifold(), construction, body_0, body_1, &penetration_solver_,
                                     kNoPerturbations, kPointsToPerturb);
-  algorithm.processCollision(body_0, body_1, info, &output);
+  FiniteResult finite(output);
+  algorithm.processCollision(body_0, body_1, info, &finite);
 }
 
 btCollisionAlgorithm* Narrowphase::PairCreateFunc::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,

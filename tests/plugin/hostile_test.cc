@@ -1,5 +1,7 @@
 // What an app may do wrong, or run out of: shapes whose support functions lie, bodies whose poses are no numbers among
 // others, pools that are full. No crash and no contact that is not finite; it is counted, and told once a kind.
+#include <BulletCollision/CollisionShapes/btCapsuleShape.h>
+#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
 
 #include <algorithm>
@@ -96,6 +98,32 @@ TEST(HostileWorld, BodiesAsLargeAsNumbersGo_OnlyFiniteContacts) {
           }
         }
       }
+    }
+  }
+}
+
+// Found by fuzz_plugin_world: what is left to Bullet's GJK goes to an app that asks, without a manifold in between.
+// Scaled in float, the hull's points are infinite.
+TEST(HostileWorld, AppAsksAboutAHullScaledBeyondNumbers_OnlyFiniteContacts) {
+  Dispatching dispatching(Route::kConfiguration, Listening());
+  btCapsuleShape capsule(btScalar(1.38232422), 0);
+  btConvexHullShape hull;
+  for (const btVector3& point : {Vec(0.230834961, 0.33605957, -1.22436523), Vec(-1.4720459, 1.9095459, 0.52746582),
+                                 Vec(0.907348633, -1.67443848, 1.36553955), Vec(0.244812012, 1.84143066, 1.14227295)}) {
+    hull.addPoint(point, false);
+  }
+  PairQuery pair(dispatching.dispatcher(), capsule, hull);
+  Eigen::Matrix3d turn;
+  turn << 0.0170969367, 0.221851736, 0.974930525, -0.0121462271, -0.974955082, 0.222070307, 0.999780059, -0.0156384557,
+      -0.0139740705;
+  pair.SetPoses(At(0, 0, -1), MakeTransform(turn, Vector(-2.34399414, -1.03613281, 4.75478697)));
+  for (const double scale : {3.40282e38, 1e38, 1e30, 1e20}) {
+    hull.setLocalScaling(Vec(-7.20703, 8.34183e-17, scale));
+    std::vector<Contact> contacts = pair.ContactTest();
+    for (const Contact& contact : pair.ClosestPoints(0.935303)) contacts.push_back(contact);
+    for (const Contact& contact : contacts) {
+      EXPECT_TRUE(std::isfinite(contact.depth) && contact.normal_b_to_a.allFinite() && contact.on_b.allFinite())
+          << scale;
     }
   }
 }
