@@ -1,16 +1,24 @@
 // What Bullet's own algorithm may say to an app in this one's place: nothing but numbers.
 #pragma once
 
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 
 #include <cmath>
 
 namespace dgd_bullet {
 
-/// What Bullet makes of a contact are products of two lengths: in float, of 1e19 m they would be infinite.
-inline bool IsSomewhere(const btVector3& point, btScalar separation) {
-  constexpr btScalar kFarthest = btScalar(1e15);
-  return std::abs(separation) <= kFarthest && point.absolute().dot({1, 1, 1}) <= kFarthest;  // False for NaN.
+/// What Bullet makes of a contact are products of two lengths: in float, of 1e19 m they would be infinite. False for
+/// NaN.
+inline bool IsSomewhere(const btVector3& point) { return point.absolute().dot({1, 1, 1}) <= btScalar(1e15); }
+
+/// Whether a contact is, and the bodies, in whose frames Bullet keeps it.
+inline bool IsSomewhere(const btManifoldResult& output, const btVector3& point, btScalar separation) {
+  const auto is_near = [](const btCollisionObjectWrapper& body) {
+    return IsSomewhere(body.getCollisionObject()->getWorldTransform().getOrigin());
+  };
+  return IsSomewhere(point) && IsSomewhere({separation, 0, 0}) && is_near(*output.getBody0Wrap()) &&
+         is_near(*output.getBody1Wrap());
 }
 
 /// Hands on to another result all contacts but those that are nowhere.
@@ -25,11 +33,14 @@ class FiniteResult final : public btManifoldResult {
   void setShapeIdentifiersA(int part, int index) override { output_.setShapeIdentifiersA(part, index); }
   void setShapeIdentifiersB(int part, int index) override { output_.setShapeIdentifiersB(part, index); }
   void addContactPoint(const btVector3& normal_on_b, const btVector3& point, btScalar separation) override {
-    const bool has_normal = std::isfinite(normal_on_b.x() + normal_on_b.y() + normal_on_b.z());
-    if (has_normal && IsSomewhere(point, separation)) output_.addContactPoint(normal_on_b, point, separation);
+    const bool has_normal = std::abs(normal_on_b.length2() - 1) <= kOff;
+    if (has_normal && IsSomewhere(*this, point, separation)) output_.addContactPoint(normal_on_b, point, separation);
   }
 
  private:
+  /// Of a unit normal's square.
+  static constexpr btScalar kOff = btScalar(0.01);
+
   btManifoldResult& output_;
 };
 

@@ -49,7 +49,7 @@ void WritePatch(const dgd::ContactPatch<double>& patch, const Vector3& normal, b
     const dgd::ContactPoint<double>& point = patch.points[static_cast<std::size_t>(i)];
     const btVector3 on_b = ToBullet(point.on_2);
     const auto separation = btScalar(point.separation);
-    if (IsSomewhere(on_b, separation)) output.addContactPoint(normal_on_b, on_b, separation);
+    if (IsSomewhere(output, on_b, separation)) output.addContactPoint(normal_on_b, on_b, separation);
   }
 }
 

@@ -128,6 +128,25 @@ TEST(HostileWorld, AppAsksAboutAHullScaledBeyondNumbers_OnlyFiniteContacts) {
   }
 }
 
+// Found by fuzz_plugin_world: a contact may be somewhere, and a body nowhere near it.
+TEST(HostileWorld, AppAsksAboutABodyBeyondNumbers_NoContactThatIsInfiniteInItsFrame) {
+  Dispatching dispatching(Route::kConfiguration, Listening());
+  btCapsuleShape capsule(btScalar(0.5), 1);
+  btBoxShape box(Vec(1, 1, 1));
+  for (const double distance : {1e14, 1e20, 1e30, 3.4e38}) {
+    PairQuery pair(dispatching.dispatcher(), capsule, box);
+    btTransform beyond = At(0, 0, distance);
+    beyond.setBasis({btScalar(-1.2), btScalar(0.6), btScalar(3.2), btScalar(4.5), btScalar(-1.1), btScalar(3.6),
+                     btScalar(-1.2), btScalar(-1.1), btScalar(4.4)});
+    pair.SetPoses(beyond, btTransform::getIdentity());
+    std::vector<Contact> contacts = pair.ContactTest();
+    for (const Contact& contact : pair.ClosestPoints(1)) contacts.push_back(contact);
+    for (const Contact& contact : contacts) {
+      EXPECT_TRUE(IsFinite(beyond.invXform(ToBullet(contact.OnA())))) << distance;
+    }
+  }
+}
+
 // The others of a heap do not notice, and the body is one of them again once its pose is.
 TEST(HostileWorld, BodyOfNaNPoseInAHeap_OthersStayFiniteAndItComesBack) {
   TestWorld world(Route::kConfiguration, Listening());
