@@ -85,6 +85,17 @@ concept HintedCore = ConvexCore<Core> && requires(const Core& core, const Vector
   { core.Support(direction, hint) } -> std::same_as<SupportPoint<typename Core::Scalar, kDimension<Core>>>;
 };
 
+/// The support point, found from the hint if the core makes use of one.
+template <ConvexCore Core>
+SupportPoint<typename Core::Scalar, kDimension<Core>> SupportNear(const Core& core, const VectorOf<Core>& direction,
+                                                                  [[maybe_unused]] FeatureId hint) {
+  if constexpr (HintedCore<Core>) {
+    return core.Support(direction, hint);
+  } else {
+    return core.Support(direction);
+  }
+}
+
 /// A core whose support points are less exact than its scalar's rounding: evaluated in a smaller type, or iterated.
 ///  * Accuracy(): their error, relative to the core's size.
 template <class Core>

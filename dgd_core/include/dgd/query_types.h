@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -86,6 +87,13 @@ struct Result {
   S RelativeGap() const { return upper_bound / lower_bound - 1; }
 };
 
+/// Whether the result is made of numbers; the upper bound alone may be infinite.
+template <class S, int L>
+bool IsFinite(const Result<S, L>& result) {
+  const S sum = result.normal.sum() + result.separation + result.witness_1.sum() + result.witness_2.sum();
+  return std::isfinite(sum + result.lower_bound) && result.lower_bound <= result.upper_bound;  // False for NaN.
+}
+
 /// State of one pair of sets from one query to the next, in this order of the sets; default-made for a cold start.
 /// Stays correct (a start is only a start) whatever happened to the sets in between, but for vertices that no longer
 /// exist, which are ignored.
@@ -121,6 +129,11 @@ struct CollisionResult {
   /// within the tolerance of both. World, metres.
   Vector<S, L> point = Vector<S, L>::Zero();
 };
+
+template <class S, int L>
+bool IsFinite(const CollisionResult<S, L>& result) {
+  return std::isfinite(result.normal.sum() + result.separation + result.point.sum());
+}
 
 template <class Set>
 using CollisionResultOf = CollisionResult<typename Set::Scalar, kDimension<typename Set::Core>>;

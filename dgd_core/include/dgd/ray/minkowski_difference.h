@@ -137,9 +137,8 @@ class MinkowskiDifference {
   ///                        them; any will do.
   DifferencePoint<S, L> Support(const Point& direction, const Point& normal, FeatureId hint_1 = kNoFeature,
                                 FeatureId hint_2 = kNoFeature) const {
-    return Difference(CoreSupport<typename Set1::Core>(set_1_.core, to_frame_1_.transpose() * direction, hint_1),
-                      CoreSupport<typename Set2::Core>(set_2_.core, to_frame_2_.transpose() * -direction, hint_2),
-                      normal);
+    return Difference(SupportNear(set_1_.core, Point(to_frame_1_.transpose() * direction), hint_1),
+                      SupportNear(set_2_.core, Point(to_frame_2_.transpose() * -direction), hint_2), normal);
   }
 
   /// Whether both cores have these features; they may have changed since a previous query named them.
@@ -222,15 +221,6 @@ class MinkowskiDifference {
   }
 
  private:
-  template <class Core>
-  static SupportPoint<S, L> CoreSupport(const Core& core, const Point& direction, [[maybe_unused]] FeatureId hint) {
-    if constexpr (HintedCore<Core>) {
-      return core.Support(direction, hint);
-    } else {
-      return core.Support(direction);
-    }
-  }
-
   template <class Core>
   static S AccuracyOf([[maybe_unused]] const Core& core) {
     if constexpr (InexactCore<Core>) {

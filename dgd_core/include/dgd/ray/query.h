@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "dgd/growth_distance.h"
+#include "dgd/ray/last_facet.h"
 #include "dgd/ray/ray_intersection.h"
 
 namespace dgd {
@@ -62,16 +63,9 @@ bool FindLineOfCenters(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2
   return true;
 }
 
-/// Whether the result is made of numbers; the upper bound alone may be infinite.
-template <class S, int L>
-bool IsFinite(const Result<S, L>& result) {
-  const S sum = result.normal.sum() + result.separation + result.witness_1.sum() + result.witness_2.sum();
-  return std::isfinite(sum + result.lower_bound) && result.lower_bound <= result.upper_bound;  // False for NaN.
-}
-template <class S, int L>
-bool IsFinite(const CollisionResult<S, L>& result) {
-  return std::isfinite(result.normal.sum() + result.separation + result.point.sum());
-}
+/// Whether LastFacet is for these sets.
+template <class Set1, class Set2>
+constexpr bool kHasLastFacet = kDimension<typename Set1::Core> == 3 && MinkowskiDifference<Set1, Set2>::kIsPolytope;
 
 template <class Set1, class Set2, class Observer>
 [[gnu::flatten]] ResultOf<Set1> GrowthDistance(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
@@ -84,9 +78,20 @@ template <class Set1, class Set2, class Observer>
       SeparatedAlong(warm_start->normal_1, set_1, pose_1, set_2, pose_2, settings.separation_limit, result, top_1)) {
     return result;
   }
-  RayIntersection<Set1, Set2> query(set_1, pose_1, set_2, pose_2, settings);
+  Settings<typename Set1::Scalar> remaining = settings;
+  // An observer is told of bounds that the last facet does not have.
+  if constexpr (kHasLastFacet<Set1, Set2> && std::is_same_v<Observer, const NoObserver>) {
+    using Last = LastFacet<Set1, Set2>;
+    if (warm_start != nullptr && warm_start->size == 3 && settings.rounding &&
+        settings.max_iterations > Last::kMostIterations) {
+      Last last(set_1, pose_1, set_2, pose_2);
+      if (last.Solve(settings, *warm_start, result)) return result;
+      remaining.max_iterations -= last.Iterations();
+    }
+  }
+  RayIntersection<Set1, Set2> query(set_1, pose_1, set_2, pose_2, remaining);
   result.status = query.Solve(Question::kDistance, warm_start, observer);
-  result.iterations = query.Iterations();
+  result.iterations = settings.max_iterations - remaining.max_iterations + query.Iterations();
   if (result.status == Status::kInvalidInput || result.status == Status::kNoInterior) return result;
   result.lower_bound = query.LowerBound();
   result.upper_bound = query.UpperBound();
