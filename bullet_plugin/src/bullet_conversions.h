@@ -23,9 +23,16 @@ inline Vector3 FromBullet(const btVector3& v) {
 
 inline btVector3 ToBullet(const Vector3& v) { return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())}; }
 
+/// The two axes that follow Bullet's axis `up_axis` cyclically.
+struct AcrossAxes {
+  explicit AcrossAxes(int up_axis) : x(up_axis == 2 ? 0 : up_axis + 1), y(x == 2 ? 0 : x + 1) {}
+
+  int x, y;
+};
+
 /// A direction of the frame that FromBullet() gives a pose with this up axis, in Bullet's own.
 inline btVector3 InBulletAxes(const Vector3& v, int up_axis) {
-  const int x = up_axis == 2 ? 0 : up_axis + 1, y = x == 2 ? 0 : x + 1;
+  const auto [x, y] = AcrossAxes(up_axis);
   btVector3 in_bullet;
   in_bullet[x] = btScalar(v.x());
   in_bullet[y] = btScalar(v.y());
@@ -43,7 +50,7 @@ inline btScalar RoundDown(double value) {
 /// in place: copying a matrix whose numbers were just stored one by one waits for all of them.
 inline Pose FromBullet(const btTransform& transform, int up_axis) {
   const btMatrix3x3& basis = transform.getBasis();
-  const int x = up_axis == 2 ? 0 : up_axis + 1, y = x == 2 ? 0 : x + 1;
+  const auto [x, y] = AcrossAxes(up_axis);
   Pose pose;
   for (int row = 0; row < 3; ++row) {
     pose.rotation(row, 0) = double(basis[row][x]);

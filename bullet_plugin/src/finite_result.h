@@ -1,4 +1,5 @@
-// What Bullet's own algorithm may say to an app in this one's place: nothing but numbers.
+// Contacts are numbers, in the world and in both bodies' frames: what that takes, and Bullet's own algorithm held to it
+// where it answers in this one's place.
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
@@ -38,7 +39,7 @@ class FiniteResult final : public btManifoldResult {
   }
 
  private:
-  /// Of a unit normal's square.
+  /// Of a unit normal's square: float's rounding is far below, and a normal that is none is zero or NaN.
   static constexpr btScalar kOff = btScalar(0.01);
 
   btManifoldResult& output_;

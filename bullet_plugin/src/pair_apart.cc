@@ -8,10 +8,10 @@
 #include <BulletCollision/CollisionShapes/btConvexPointCloudShape.h>
 #include <BulletCollision/CollisionShapes/btCylinderShape.h>
 
-#include <algorithm>
 #include <limits>
 
 #include "pair_motion.h"
+#include "shape_adapter.h"
 
 namespace dgd_bullet {
 namespace {
@@ -44,9 +44,6 @@ btScalar HighestPoint(const btConvexShape& shape, const btVector3& direction) {
   return Highest(points.getUnscaledPoints(), count, direction * points.getLocalScalingNV());
 }
 
-/// A margin set larger than the shape turns Bullet's core inside out; the solver's is a point then. NaN stays NaN.
-btScalar Extent(btScalar half_extent) { return half_extent < 0 ? btScalar(0) : half_extent; }
-
 /// Largest <direction, x> over a shape without its margin, metres; kUnknown if it would take long.
 btScalar CoreSupportValue(const btConvexShape& shape, const btVector3& direction) {
   switch (shape.getShapeType()) {
@@ -68,6 +65,7 @@ btScalar CoreSupportValue(const btConvexShape& shape, const btVector3& direction
              Extent(half.z()) * btFabs(direction.z());
     }
     case CYLINDER_SHAPE_PROXYTYPE:
+      // As Extent() has it.
       return btMax(btScalar(0), direction.dot(shape.localGetSupportVertexWithoutMarginNonVirtual(direction)));
     default:
       return direction.dot(shape.localGetSupportVertexWithoutMarginNonVirtual(direction));

@@ -12,14 +12,6 @@
 #include "shape_points.h"
 
 namespace dgd_bullet {
-namespace {
-
-/// A margin set larger than a box or cylinder leaves a negative core, which is no set: its extent counts as zero.
-/// NaN stays NaN, and is refused by the set.
-double Extent(btScalar half_extent) { return half_extent < 0 ? 0.0 : double(half_extent); }
-
-}  // namespace
-
 int UpAxis(const btConvexShape& shape) {
   switch (shape.getShapeType()) {
     case CAPSULE_SHAPE_PROXYTYPE:
@@ -46,7 +38,7 @@ PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, 
       return {dgd::RoundedSet{dgd::Point<double>(), margin}, FromBullet(transform, up)};
     case CAPSULE_SHAPE_PROXYTYPE: {
       const auto& capsule = static_cast<const btCapsuleShape&>(shape);
-      return {dgd::RoundedSet{dgd::Segment<double>(Extent(capsule.getHalfHeight())), margin},
+      return {dgd::RoundedSet{dgd::Segment<double>(double(Extent(capsule.getHalfHeight()))), margin},
               FromBullet(transform, up)};
     }
     case TRIANGLE_SHAPE_PROXYTYPE: {
@@ -59,14 +51,15 @@ PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, 
     case BOX_SHAPE_PROXYTYPE: {
       const auto& box = static_cast<const btBoxShape&>(shape);
       const btVector3 half = is_sharp ? box.getHalfExtentsWithMargin() : box.getHalfExtentsWithoutMargin();
-      const Vector3 core(Extent(half.x()), Extent(half.y()), Extent(half.z()));
+      const Vector3 core = FromBullet(btVector3(Extent(half.x()), Extent(half.y()), Extent(half.z())));
       return {dgd::RoundedSet{dgd::Box<double>(core), radius}, FromBullet(transform, up)};
     }
     case CYLINDER_SHAPE_PROXYTYPE: {
       const auto& cylinder = static_cast<const btCylinderShape&>(shape);
       const btVector3 half = is_sharp ? cylinder.getHalfExtentsWithMargin() : cylinder.getHalfExtentsWithoutMargin();
       // Bullet takes the radius from the first axis that is not the cylinder's own.
-      return {dgd::RoundedSet{dgd::Cylinder<double>(Extent(half[up == 0 ? 1 : 0]), Extent(half[up])), radius},
+      return {dgd::RoundedSet{dgd::Cylinder<double>(double(Extent(half[up == 0 ? 1 : 0])), double(Extent(half[up]))),
+                              radius},
               FromBullet(transform, up)};
     }
     case CONE_SHAPE_PROXYTYPE: {

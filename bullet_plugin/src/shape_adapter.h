@@ -12,6 +12,10 @@ class btConvexShape;
 
 namespace dgd_bullet {
 
+/// A margin set larger than a box or cylinder leaves Bullet a negative core, which is no set: its extent counts as
+/// zero. NaN stays NaN, and is refused by the set.
+inline btScalar Extent(btScalar half_extent) { return half_extent < 0 ? btScalar(0) : half_extent; }
+
 /// Bullet's axis that is the z axis of the set that a shape becomes: a round shape's own, else z.
 int UpAxis(const btConvexShape& shape);
 

@@ -228,7 +228,8 @@ class QhullCoordinates {
   }
 
  private:
-  /// Of the extent.
+  /// Of the extent: far above the 6e-11 at which a vertex was lost. Thicker sets keep their own coordinates, and the
+  /// exact normals of boxes.
   static constexpr double kThin = 1e-3;
 
   Vector3d origin_;

@@ -87,8 +87,8 @@ class TestWorld {
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
 };
 
-/// Whether all twelve numbers are finite.
 bool IsFinite(const btVector3& vector);
+/// Whether all twelve numbers are finite.
 bool IsFinite(const btTransform& transform);
 /// Distance, normal and positions, on the bodies and in the world.
 bool IsFinite(const btManifoldPoint& point);

@@ -26,7 +26,8 @@ class LastFacet {
   using Point = Vector3<S>;
   static_assert(Difference::kIsPolytope && Difference::L == 3);
 
-  /// Evaluations of the support functions at most.
+  /// Evaluations of the support functions at most. By measurement: with half as many, warm queries of hulls of 2000
+  /// vertices take 1.4 times as long on average.
   static constexpr int kMostIterations = 8;
 
   LastFacet(const Set1& set_1, const Pose<S>& pose_1, const Set2& set_2, const Pose<S>& pose_2)
@@ -196,8 +197,8 @@ class LastFacet {
   /// Twice the area over the longest side's square, and the normal's cosine to the ray. By their inverses, rounding is
   /// magnified.
   static constexpr S kFat = S(0.05), kFlat = S(0.05);
-  /// Of the angle under which the facet's width is seen from the centre. By measurement, hulls of 8 to 2000 vertices:
-  /// with the half, half of the steps find no other point; with twice as much, they end too far off.
+  /// Of the angle under which the facet's width is seen from the centre. By measurement: with 1, 2, 3 and 4 times as
+  /// much, warm queries of hulls of 2000 vertices take 444, 370, 361 and 426 ns on average, of 241 240, 227, 234, 246.
   static constexpr S kTilt = S(2);
 
   const Set1& set_1_;
