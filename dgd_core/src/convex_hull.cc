@@ -243,19 +243,20 @@ void CopyFacets(qhT* qh, std::span<const Vector3d> points, const QhullCoordinate
   facetT* facet;
   FORALLfacet_(qh->facet_list) {
     setT* ordered = qh_facet3vertex(qh, facet);
-    std::vector<VertexId> loop;
+    std::vector<std::size_t> corners;
     vertexT *vertex, **vertexp;
-    FOREACHvertex_(ordered) {
-      const auto point = static_cast<std::size_t>(qh_pointid(qh, vertex->point));
+    FOREACHvertex_(ordered) corners.push_back(static_cast<std::size_t>(qh_pointid(qh, vertex->point)));
+    qh_settempfree(qh, &ordered);
+    if (corners.size() < 3) continue;  // And leaves no vertex behind that no facet has.
+
+    std::vector<VertexId> loop;
+    for (const std::size_t point : corners) {
       if (renumbered[point] == kNoFeature) {
         renumbered[point] = static_cast<VertexId>(hull.vertices.size());
         hull.vertices.push_back(points[point]);
       }
       loop.push_back(renumbered[point]);
     }
-    qh_settempfree(qh, &ordered);
-    if (loop.size() < 3) continue;
-
     // Newell's normal of the loop decides the order: counterclockwise seen from outside.
     const Vector3d outward(facet->normal[0], facet->normal[1], facet->normal[2]);
     const auto corner = [&](std::size_t i) { return coordinates.ToQhull(hull.vertices[loop[i]]); };

@@ -217,5 +217,28 @@ TEST(HeldFace, NoFaceOrBadInput_IsRefused) {
   }
 }
 
+// A body whose pose was lost while it lay on a face: fuzz_plugin_world found a facet of number -1 looked up.
+TEST(HeldFace, RotationThatIsNone_IsRefused) {
+  const dgd::Polytope<double> cube(std::vector<Vector3d>{
+      {-1, -1, -1}, {-1, -1, 1}, {-1, 1, -1}, {-1, 1, 1}, {1, -1, -1}, {1, -1, 1}, {1, 1, -1}, {1, 1, 1}});
+  const dgd::RoundedSet hull{dgd::CoreReference(cube), 0.1};
+  dgd::FacingFaces<double> facing;
+  for (const FaceHolder holder : {FaceHolder::kSet1, FaceHolder::kSet2}) {
+    for (const bool is_first : {true, false}) {
+      dgd::WarmStart<double> state;
+      state.normal_1 = Vector3d(0, 0, 1);
+      dgd::Pose<double> bad;
+      bad.translation = Vector3d(0, 0, is_first ? -2.15 : 2.15);
+      const auto follow = [&] {
+        return is_first ? dgd::FollowFace(hull, bad, hull, {}, {}, kAngularTolerance, holder, state, facing).status
+                        : dgd::FollowFace(hull, {}, hull, bad, {}, kAngularTolerance, holder, state, facing).status;
+      };
+      ASSERT_EQ(follow(), Status::kOptimal);
+      bad.rotation.fill(std::numeric_limits<double>::quiet_NaN());
+      EXPECT_EQ(follow(), Status::kStalled);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dgd_test

@@ -66,6 +66,8 @@ template <class Set1, class Set2>
   SignedDistanceResult<S> result;
   result.status = Status::kStalled;
   facing.Clear();
+  // Cores are asked about directions that are numbers.
+  if (!std::isfinite(pose_1.rotation.sum() + pose_2.rotation.sum() + state.normal_1.sum())) return result;
   // The face of the holder that looks where the last normal did, and its own normal: that has no rounding of the steps
   // in between.
   const Vector last = pose_1.rotation * state.normal_1;
@@ -77,7 +79,9 @@ template <class Set1, class Set2>
     set_2.core.SupportFace(pose_2.rotation.transpose() * -last, facing.face_2);
     normal = TurnedArea(pose_2.rotation, facing.face_2);
   }
-  normal *= std::copysign(1 / normal.norm(), normal.dot(last));
+  const S area = normal.norm();
+  if (!(area > 0 && std::isfinite(area))) return result;
+  normal *= std::copysign(1 / area, normal.dot(last));
 
   const Vector normal_1 = pose_1.rotation.transpose() * normal, normal_2 = pose_2.rotation.transpose() * -normal;
   const Vector support_1 = set_1.core.Support(normal_1).point, support_2 = set_2.core.Support(normal_2).point;

@@ -1,5 +1,6 @@
 #include "dgd/shapes/polytope.h"
 
+#include <limits>
 #include <numbers>
 
 #include "support/random_sets.h"
@@ -54,6 +55,14 @@ TEST(Polytope, SupportFace_ThinsLargeFacetsEvenly) {
   }
   const double thinned_sagitta = 1 - std::cos(std::numbers::pi * 3 / kSides);
   CheckPolytope<double>(points, thinned_sagitta);
+}
+
+TEST(Polytope, SupportFace_OfNoDirectionIsSomeFacet) {
+  const dgd::Polytope<double> cube(std::vector<Vector3d>{
+      {-1, -1, -1}, {-1, -1, 1}, {-1, 1, -1}, {-1, 1, 1}, {1, -1, -1}, {1, -1, 1}, {1, 1, -1}, {1, 1, 1}});
+  dgd::SupportingFace<double> face;
+  cube.SupportFace(Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()), face);
+  EXPECT_EQ(face.size, 4);
 }
 
 // The one corner that sticks out of a facet must survive the thinning, whatever its place in the facet's order.

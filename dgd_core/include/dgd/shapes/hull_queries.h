@@ -58,8 +58,8 @@ inline double DistanceTo(const ConvexHull& hull, const Eigen::Vector3d& point) {
   return nearest;
 }
 
-/// Of the facets around `vertex`, the support vertex along `direction`, the one whose normal is nearest to it; for
-/// hulls below dimension 2 the whole hull.
+/// Of the facets around `vertex`, the support vertex along `direction`, the one whose normal is nearest to it, or some
+/// facet if the direction is NaN; for hulls below dimension 2 the whole hull.
 template <class S>
 void AddSupportFace(const ConvexHull& hull, VertexId vertex, const Vector3<S>& direction, SupportingFace<S>& face) {
   if (hull.dimension < 2) {
@@ -67,18 +67,20 @@ void AddSupportFace(const ConvexHull& hull, VertexId vertex, const Vector3<S>& d
     return;
   }
   const Eigen::Vector3d d = direction.template cast<double>();
-  int best_facet = -1;
-  double best_alignment = -std::numeric_limits<double>::infinity();
-  for (int i = hull.vertex_start[vertex]; i < hull.vertex_start[vertex + 1]; ++i) {
-    const int facet = hull.vertex_facets[static_cast<std::size_t>(i)];
-    const double alignment = hull.normals[static_cast<std::size_t>(facet)].dot(d);
+  const auto first_around = static_cast<std::size_t>(hull.vertex_start[vertex]);
+  const auto end_around = static_cast<std::size_t>(hull.vertex_start[vertex + 1]);
+  auto best_facet = static_cast<std::size_t>(hull.vertex_facets[first_around]);
+  double best_alignment = hull.normals[best_facet].dot(d);
+  for (std::size_t i = first_around + 1; i < end_around; ++i) {
+    const auto facet = static_cast<std::size_t>(hull.vertex_facets[i]);
+    const double alignment = hull.normals[facet].dot(d);
     if (alignment > best_alignment) {
       best_alignment = alignment;
       best_facet = facet;
     }
   }
-  const int begin = hull.facet_start[static_cast<std::size_t>(best_facet)];
-  const int count = hull.facet_start[static_cast<std::size_t>(best_facet) + 1] - begin;
+  const int begin = hull.facet_start[best_facet];
+  const int count = hull.facet_start[best_facet + 1] - begin;
   const VertexId* facet_vertices = hull.facet_vertices.data() + begin;
   const auto add = [&](int i) { face.Add(hull.vertices[facet_vertices[i]].template cast<S>()); };
   constexpr int kMaxPoints = SupportingFace<S>::kMaxPoints;
