@@ -24,7 +24,7 @@ class GrowthDistanceStatus : public ::testing::Test {
     EXPECT_EQ(result.separation, 0);
     EXPECT_TRUE(result.witness_1.allFinite());
     EXPECT_TRUE(result.witness_2.allFinite());
-    EXPECT_EQ(result.iterations, 0);
+    EXPECT_LE(result.iterations, 1);
   }
   static void ExpectNoAnswer(const dgd::CollisionResult<S>& result, Status status) {
     EXPECT_EQ(result.status, status);
@@ -80,6 +80,28 @@ TYPED_TEST(GrowthDistanceStatus, Separated_ByMoreThanTheLimit) {
     ASSERT_GT(result.lower_bound, 1);
   }
   EXPECT_GE(separated, 0.2 * pairs);
+}
+
+// The centroid of a triangle is in its plane but for rounding, of which a tiny radius makes no interior: fuzz_solver
+// found a triangle of three equal points whose growth distance was 3000 times too small.
+TYPED_TEST(GrowthDistanceStatus, RadiusBelowRounding_IsNoInterior) {
+  using S = TypeParam;
+  using Vector = dgd::Vector3<S>;
+  const Vector corner = Vector::Constant(S(0.313720703125));
+  const dgd::Triangle<S> degenerate(corner, corner, corner), oblique(corner, corner + Vector(1, 0, S(0.3)), -corner);
+  const dgd::Point<S> point;
+  dgd::Pose<S> pose;
+  pose.translation = Vector(7, -1, -5);
+  for (const dgd::Triangle<S>& triangle : {degenerate, oblique}) {
+    const auto ask = [&](S radius) {
+      const dgd::RoundedSet set_1{triangle, S(0)}, set_2{point, radius};
+      const Status yes_no = dgd::DetectCollision(set_1, {}, set_2, pose).status;
+      EXPECT_EQ(yes_no, Status::kSeparated);
+      return dgd::GrowthDistance(set_1, {}, set_2, pose);
+    };
+    this->ExpectNoAnswer(ask(dgd::kEpsilon<S> / 10000), Status::kNoInterior);
+    EXPECT_EQ(ask(S(0.01)).status, Status::kOptimal);
+  }
 }
 
 TYPED_TEST(GrowthDistanceStatus, CoincidentCenters_GiveZeroAndSomeNormal) {

@@ -21,7 +21,8 @@ enum class Status : std::uint8_t {
   kCoincidentCenters,  ///< The centres coincide within rounding: growth distance 0, and any normal is as good.
   kIterationLimit,     ///< The bounds are valid but apart by more than the tolerance.
   kStalled,            ///< As kIterationLimit: rounding allows no further progress.
-  kNoInterior,         ///< Neither set has an interior: no growth distance exists (paper, Rem. 1).
+  kNoInterior,         ///< Neither set has an interior, or one beyond the rounding of its points: no growth distance
+                       ///< exists (paper, Rem. 1).
   kInvalidInput,  ///< NaN or infinity in a pose or radius, or from a core, or sizes of which the scalar cannot multiply
                   ///< four (kLeastSize in ray/tolerances.h). No other field is usable.
 };

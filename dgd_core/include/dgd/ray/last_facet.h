@@ -45,6 +45,7 @@ class LastFacet {
   /// @return whether the result is optimal; if not, it is of no use.
   bool Solve(const Settings<S>& settings, WarmStart<S>& state, Result<S>& result) {
     if (!IsInRange() || !TakeCorners(state)) return false;
+    if (!HasCertainInterior(set_1_, set_2_, corners_[0].on_1, corners_[0].on_2)) return false;
     while (iterations_ < kMostIterations) {
       FindPlane();
       if (!IsSound()) return false;

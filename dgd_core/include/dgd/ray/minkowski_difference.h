@@ -71,6 +71,21 @@ bool IsInRange(S length, S inradius) {
   return is_large && inradius <= kGreatestSize<S>;  // False for NaN.
 }
 
+/// Whether the centres are in the sets for certain, where nothing but radii gives these an interior: the centre of a
+/// flat core lies on it but for rounding, which a tiny radius does not make up for. The inradius of a solid core is safe
+/// against rounding by itself. Test: GrowthDistanceStatus.RadiusBelowRounding_*.
+/// @param on_1, on_2  Any points of the cores, about their centres; in any frame, metres.
+template <class Set1, class Set2>
+bool HasCertainInterior(const Set1& set_1, const Set2& set_2, const VectorOf<typename Set1::Core>& on_1,
+                        const VectorOf<typename Set1::Core>& on_2) {
+  using S = typename Set1::Scalar;
+  if (set_1.core.Inradius() + set_2.core.Inradius() > 0) return true;
+  constexpr S kUnits = 4;
+  const S reach = set_1.core.Center().cwiseAbs().maxCoeff() + set_2.core.Center().cwiseAbs().maxCoeff() +
+                  on_1.cwiseAbs().maxCoeff() + on_2.cwiseAbs().maxCoeff();
+  return set_1.radius + set_2.radius > kUnits * kEpsilon<S> * reach;
+}
+
 template <class Set1, class Set2>
 class MinkowskiDifference {
  public:
@@ -122,8 +137,12 @@ class MinkowskiDifference {
 
   /// |p|, metres: the length at which the ray reaches growth distance 1.
   S Length() const { return length_; }
-  /// Radius of a ball about the origin inside C, metres (eq. inradius). 0 if C has no certain interior.
+  /// Radius of a ball about the origin inside C, metres (eq. inradius). 0 if C has no interior.
   S Inradius() const { return inradius_; }
+  /// @param support  Any support point.
+  bool HasCertainInterior(const Feature& support) const {
+    return dgd::HasCertainInterior(set_1_, set_2_, support.on_1, Point(support.on_1 - support.point));
+  }
   /// As Inradius(), of the difference that the support points are of: without the ball that is kept apart.
   S InradiusOfPoints() const { return InradiusOfPoints1() + set_2_.core.Inradius() + inflation_2_; }
   /// The part of InradiusOfPoints() that set 1 contributes.

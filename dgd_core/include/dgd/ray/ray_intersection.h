@@ -93,7 +93,12 @@ class RayIntersection {
       if (!(normal[L - 1] > 0)) return Status::kStalled;  // Also for NaN.
       const S last_outer = outer_.Height(), last_inner = inner_.Height();
       CutAlong(normal, direction);
-      if (const Status status = Verdict(question); status != kGoOn) return Report(observer, status);
+      const Status verdict = Verdict(question);
+      // A plane between the sets tells all the same.
+      if (iterations_ == 1 && verdict != Status::kSeparated && !difference_.HasCertainInterior(support_)) {
+        return Status::kNoInterior;
+      }
+      if (verdict != kGoOn) return Report(observer, verdict);
       if (iterations_ == 1) RememberStart(warm_start);
       RaiseInner();
       // Polytopes end with a supporting plane on the inner approximation; curved cores once a point is near enough.
