@@ -145,6 +145,27 @@ TYPED_TEST(SignedDistanceTest, FlatSetsWithoutInterior_HaveADistance) {
   this->ExpectDistance(dgd::SignedDistance(triangle, {}, triangle, this->At({S(0.2), S(0.1), 0}), {}), 0);
 }
 
+// Squares of a core's tiny lengths are no numbers: fuzz_solver found a normal 3e-25 long.
+TYPED_TEST(SignedDistanceTest, CoresThatAreTiny_HaveAUnitNormal) {
+  using S = TypeParam;
+  const S tiny = S(4e-13);
+  const dgd::Triangle<S> triangle(dgd::Vector3<S>(tiny, 0, 0), dgd::Vector3<S>(0, tiny, 0),
+                                  dgd::Vector3<S>(-tiny, -tiny, 0));
+  const dgd::RoundedSet grain{dgd::Point<S>()};
+  for (const S radius : {S(2847.85), S(1), S(1e-3), S(1e-5)}) {
+    const auto check = [&](const auto& core) {
+      const dgd::RoundedSet set{core, radius};
+      const auto result = dgd::SignedDistance(set, {}, grain, {}, dgd::GrowthDistance(set, {}, grain, {}));
+      EXPECT_NE(result.status, dgd::Status::kInvalidInput);
+      EXPECT_NEAR(result.normal.norm(), 1, 4 * dgd::kEpsilon<S>);
+      EXPECT_NEAR(result.separation / radius, -1, 1e-6);
+    };
+    check(triangle);
+    check(dgd::Cone<S>(tiny, tiny));
+    check(dgd::Box<S>(dgd::Vector3<S>(tiny, tiny, tiny)));
+  }
+}
+
 TYPED_TEST(SignedDistanceTest, SphereInEllipsoid_LeavesAlongTheShortAxis) {
   using S = TypeParam;
   const dgd::RoundedSet ellipsoid{dgd::Ellipsoid<S>({2, 1, S(0.5)})};

@@ -133,8 +133,8 @@ class SignedDistanceSearch {
     return point;
   }
 
-  /// How far points of K may be off, metres.
-  S Rounding() const { return kUnits * kEpsilon<S> * std::max(size_, difference_.Length()); }
+  /// How far points of K may be off, or what is left of them beside R, metres.
+  S Rounding() const { return kUnits * kEpsilon<S> * std::max({size_, difference_.Length(), difference_.Rounding()}); }
   /// ... where the same vertex met twice may not be the same point.
   S Noise() const { return std::max(Rounding(), difference_.Accuracy() * size_); }
   /// Of an optimal result; polytopes end at rounding.
@@ -294,16 +294,18 @@ class SignedDistanceSearch {
 
   /// Finds a point of K off the affine hull of the first `size` corners, in one of the directions across that.
   bool FindCorner(std::array<Feature, 4>& corners, std::size_t size) {
-    const Point &a = corners[0].point, &b = corners[1].point, &c = corners[2].point;
+    const Point& a = corners[0].point;
+    // Squares of a tiny K's lengths may be no numbers.
+    const auto towards = [&](std::size_t i) -> Point { return (corners[i].point - a).stableNormalized(); };
     Matrix3<S> axes;
     int first = 0, last = 2;  // Of the columns that are across.
     if (size == 1) {
       axes = FrameAlong<S>(best_.normal);
     } else if (size == 2) {
-      axes = FrameAlong<S>((b - a).normalized());
+      axes = FrameAlong<S>(towards(1));
       last = 1;
     } else {
-      axes = FrameAlong<S>((b - a).cross(c - a).normalized());
+      axes = FrameAlong<S>(towards(1).cross(towards(2)).normalized());
       first = 2;
     }
     for (int i = last; i >= first; --i) {
