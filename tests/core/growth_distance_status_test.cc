@@ -1,6 +1,7 @@
 // Every way a query ends, and that it then leaves no field unset.
 #include <gtest/gtest.h>
 
+#include "dgd/shapes/transformed.h"
 #include "support/checks.h"
 #include "support/random_sets.h"
 
@@ -82,9 +83,25 @@ TYPED_TEST(GrowthDistanceStatus, Separated_ByMoreThanTheLimit) {
   EXPECT_GE(separated, 0.2 * pairs);
 }
 
+// A cylinder of 5 m whose own origin is 840 000 km away, beside a box of 13 m: in float its points are 64 m apart.
+// fuzz_solver found it, with a growth distance that was off by its half.
+TYPED_TEST(GrowthDistanceStatus, InteriorBelowRounding_OfAFarOrigin) {
+  using S = TypeParam;
+  using Vector = dgd::Vector3<S>;
+  const S far = S(60) / dgd::kEpsilon<S>;
+  const dgd::RoundedSet box{dgd::Box<S>(Vector(4, 6, 4))};
+  const auto ask = [&](S offset) {
+    const dgd::RoundedSet cylinder{dgd::Transformed(
+        dgd::Cylinder<S>(S(0.1), S(2.5)), dgd::Matrix3<S>(dgd::Matrix3<S>::Identity()), Vector(4, -offset, -offset))};
+    return dgd::GrowthDistance(box, {}, cylinder, {});
+  };
+  this->ExpectNoAnswer(ask(far), Status::kNoInterior);
+  EXPECT_EQ(ask(far / 1000).status, Status::kOptimal);
+}
+
 // The centroid of a triangle is in its plane but for rounding, of which a tiny radius makes no interior: fuzz_solver
 // found a triangle of three equal points whose growth distance was 3000 times too small.
-TYPED_TEST(GrowthDistanceStatus, RadiusBelowRounding_IsNoInterior) {
+TYPED_TEST(GrowthDistanceStatus, InteriorBelowRounding_OfARadius) {
   using S = TypeParam;
   using Vector = dgd::Vector3<S>;
   const Vector corner = Vector::Constant(S(0.313720703125));

@@ -237,7 +237,8 @@ class Questioning {
             question, "not finite");
     if (DemandOn(pair_, case_.pair) == Demand::kNoCrash) return;
     const double proven = SeparationAlong(pair_, result.normal.template cast<double>());
-    const double reach = pair_.Extent() + pair_.Center(Which::kFirst).norm() + pair_.Center(Which::kSecond).norm();
+    const double reach =
+        pair_.Extent() + pair_.Offset() + pair_.Center(Which::kFirst).norm() + pair_.Center(Which::kSecond).norm();
     Require(std::abs(proven - double(result.separation)) <=
                 kSlack * dgd_test::Limits<S>::kSeparationUnits * dgd::kEpsilon<S> * reach,
             question, "separation", proven, double(result.separation));

@@ -75,7 +75,8 @@ class Examiner {
       }
       case dgd::Status::kNoInterior:
         Decline();
-        if (pair_.Inradii() > 0) {
+        // Beyond what is left of points in any direction.
+        if (pair_.Inradii() > Limits<S>::kUnits * Limits<S>::kEpsilon * (pair_.Extent() + pair_.Offset())) {
           examination_.growth_distance = Verdict::kRefuted;
           remarks_ << "  though one set has an interior\n";
         }

@@ -126,6 +126,12 @@ double AnyPair<S, L>::Extent() const {
   return std::max(std::visit(extent, set_1_), std::visit(extent, set_2_));
 }
 
+template <class S, int L>
+double AnyPair<S, L>::Offset() const {
+  const auto offset = [](const auto& set) { return double(set.core.Center().cwiseAbs().maxCoeff()); };
+  return std::max(std::visit(offset, set_1_), std::visit(offset, set_2_));
+}
+
 template class AnyPair<double, 3>;
 template class AnyPair<float, 3>;
 template class AnyPair<double, 2>;

@@ -51,6 +51,8 @@ class AnyPair {
   double Inradii() const;
   /// The longer diagonal of the two sets' bounding boxes in their own frames, metres.
   double Extent() const;
+  /// The largest coordinate of the two centres in their own frames, metres.
+  double Offset() const;
 
  private:
   const Set& SetOf(Which which) const { return which == Which::kFirst ? set_1_ : set_2_; }

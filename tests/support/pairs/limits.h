@@ -35,19 +35,20 @@ struct Limits {
   Limits(const AnyPair<S, L>& pair, const dgd::Result<S, L>& result, bool is_curved, double tolerance) {
     using Point = typename AnyPair<S, L>::Point;
     const Point center_1 = pair.Center(Which::kFirst), center_2 = pair.Center(Which::kSecond);
-    const double extent = pair.Extent();
+    const double extent = pair.Extent(), offset = pair.Offset();
     const double distance = (center_2 - center_1).norm();
     const double along = result.normal.template cast<double>().dot(center_2 - center_1);
-    // Largest world coordinate that a computation meets.
+    // Largest coordinate that a computation meets, in the world or in a core's frame.
     const double reach =
-        std::max(center_1.template lpNorm<Eigen::Infinity>(), center_2.template lpNorm<Eigen::Infinity>()) + extent;
+        std::max({center_1.template lpNorm<Eigen::Infinity>(), center_2.template lpNorm<Eigen::Infinity>(), offset}) +
+        extent;
     const double growth_distance = double(result.upper_bound);
     // Not less the separation: far apart, that leaves rounding.
     const double support = std::abs(along) / growth_distance;
     size = extent + distance;
     // The certificate's lower bound is along / support: each carries the rounding of its own terms.
     const double gap_units = sizeof(S) == 8 ? kUnits : kPointUnits;
-    gap = 1.001 * tolerance + gap_units * kEpsilon * (1 + reach / std::abs(along) + extent / support);
+    gap = 1.001 * tolerance + gap_units * kEpsilon * (1 + reach / std::abs(along) + (extent + offset) / support);
     // Both points, in each coordinate; and the certificate's own way back to the centres and into the sets.
     carried = 4 * kEpsilon * (1 + growth_distance) * reach;
     if constexpr (sizeof(S) == 8) {
@@ -59,7 +60,7 @@ struct Limits {
     separation = kSeparationUnits * kEpsilon * (reach + distance);
     // A set moved by e is within the one scaled by 1 + e / inradius, and so is the growth distance.
     const double inradii = pair.Inradii();
-    answer = gap + kPointUnits * kEpsilon * extent / inradii;
+    answer = gap + kPointUnits * kEpsilon * (extent + offset) / inradii;
     answer_floor = kPointUnits * kEpsilon * reach / inradii;
   }
 };

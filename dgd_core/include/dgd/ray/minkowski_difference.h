@@ -71,19 +71,18 @@ bool IsInRange(S length, S inradius) {
   return is_large && inradius <= kGreatestSize<S>;  // False for NaN.
 }
 
-/// Whether the centres are in the sets for certain, where nothing but radii gives these an interior: the centre of a
-/// flat core lies on it but for rounding, which a tiny radius does not make up for. The inradius of a solid core is safe
-/// against rounding by itself. Test: GrowthDistanceStatus.RadiusBelowRounding_*.
-/// @param on_1, on_2  Any points of the cores, about their centres; in any frame, metres.
+/// Whether the interior is more than what rounding makes of the points: of a set that is far from its own origin for
+/// its size, or a needle beside a grain, nothing may be left; and the centre of a flat core lies on it but for
+/// rounding, which a tiny radius does not make up for. Test: GrowthDistanceStatus.InteriorBelowRounding_*.
+/// @param point_1, point_2  Any points of the cores, from their origins or centres; in any frame, metres.
 template <class Set1, class Set2>
-bool HasCertainInterior(const Set1& set_1, const Set2& set_2, const VectorOf<typename Set1::Core>& on_1,
-                        const VectorOf<typename Set1::Core>& on_2) {
+bool HasCertainInterior(const Set1& set_1, const Set2& set_2, const VectorOf<typename Set1::Core>& point_1,
+                        const VectorOf<typename Set1::Core>& point_2) {
   using S = typename Set1::Scalar;
-  if (set_1.core.Inradius() + set_2.core.Inradius() > 0) return true;
   constexpr S kUnits = 4;
   const S reach = set_1.core.Center().cwiseAbs().maxCoeff() + set_2.core.Center().cwiseAbs().maxCoeff() +
-                  on_1.cwiseAbs().maxCoeff() + on_2.cwiseAbs().maxCoeff();
-  return set_1.radius + set_2.radius > kUnits * kEpsilon<S> * reach;
+                  point_1.cwiseAbs().maxCoeff() + point_2.cwiseAbs().maxCoeff();
+  return set_1.core.Inradius() + set_2.core.Inradius() + set_1.radius + set_2.radius > kUnits * kEpsilon<S> * reach;
 }
 
 template <class Set1, class Set2>
