@@ -78,17 +78,21 @@ const std::vector<IterationVariant>& IterationVariants() {
     const dgd::Settings<double> usual;
     dgd::Settings<double> exact;
     exact.relative_tolerance = 1e-12;
-    dgd::Settings<double> first_order;
+    // What else is left out is of the way that is left then.
+    dgd::Settings<double> no_walk;
+    no_walk.facet_walk = false;
+    dgd::Settings<double> first_order = no_walk;
     first_order.second_order = false;
-    dgd::Settings<double> unrounded;
+    dgd::Settings<double> unrounded = no_walk;
     unrounded.rounding = false;
-    dgd::Settings<double> summed;
+    dgd::Settings<double> summed = no_walk;
     summed.known_points = false;
-    dgd::Settings<double> creeping;
+    dgd::Settings<double> creeping = no_walk;
     creeping.half_way_cuts = false;
     return std::vector<IterationVariant>{{"cold", usual, Start::kCold, true},
                                          {"warm", usual, Start::kWarm, true},
-                                         {"warm, by the normal alone", usual, Start::kLastNormal, true},
+                                         {"warm, by the normal alone", no_walk, Start::kLastNormal, true},
+                                         {"no walk to the facet, cold", no_walk, Start::kCold, true},
                                          {"no second-order steps, cold", first_order, Start::kCold, false},
                                          {"no radii apart from cores, cold", unrounded, Start::kCold, false},
                                          {"no combined points, cold", summed, Start::kCold, false},

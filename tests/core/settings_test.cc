@@ -33,8 +33,10 @@ Iterations Compare(bool dgd::Settings<double>::*setting, const Set1& set_1, cons
       pose_2.rotation = Eigen::Rotation2Dd(random.Uniform(-3, 3)).toRotationMatrix();
     }
     pose_2.translation = random.LogUniform(0.3, 6) * random.UnitVector().template head<L>();
-    dgd::Settings<double> with = others, without = others;
-    with.max_iterations = without.max_iterations = 1000;  // Cutting planes alone take more than the default.
+    dgd::Settings<double> with = others;
+    with.max_iterations = 1000;  // Cutting planes alone take more than the default.
+    with.facet_walk = setting == &dgd::Settings<double>::facet_walk;  // The others are not of its way.
+    dgd::Settings<double> without = with;
     without.*setting = false;
     const auto on = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2, with);
     const auto off = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2, without);
@@ -50,7 +52,20 @@ Iterations Compare(bool dgd::Settings<double>::*setting, const Set1& set_1, cons
 constexpr auto kSecondOrder = &dgd::Settings<double>::second_order;
 constexpr auto kRounding = &dgd::Settings<double>::rounding;
 constexpr auto kKnownPoints = &dgd::Settings<double>::known_points;
+constexpr auto kFacetWalk = &dgd::Settings<double>::facet_walk;
 constexpr auto kHalfWayCuts = &dgd::Settings<double>::half_way_cuts;
+
+// Steps that take half the time, and are half as many again.
+TEST(FacetWalkSetting, SharpPolytopes_GiveTheSameAnswer) {
+  Random random(7);
+  std::vector<Eigen::Vector3d> points;
+  for (int i = 0; i < 20; ++i) points.push_back(random.UnitVector());
+  const dgd::RoundedSet box{dgd::Box<double>({0.3, 0.7, 1.1})};
+  const dgd::RoundedSet hull{dgd::Polytope<double>(points)};
+  const Iterations iterations = Compare(kFacetWalk, hull, hull);
+  EXPECT_GT(iterations.on, iterations.off);
+  Compare(kFacetWalk, box, hull);
+}
 
 TEST(SecondOrder, CurvedSets_NeedFewerIterationsForTheSameAnswer) {
   const dgd::RoundedSet ellipsoid{dgd::Ellipsoid<double>({0.3, 0.7, 1.1})};

@@ -73,7 +73,7 @@ TEST(WarmStart, MeshesAfterOnePercentMotion_NeedFewerIterationsWithAllPointsThat
     const dgd::Pose<double> pose_1{random.Rotation(), Eigen::Vector3d::Zero()};
     dgd::Pose<double> pose_2{random.Rotation(), random.Uniform(0.2, 1) * random.UnitVector()};
     dgd::WarmStart<double> known_too;
-    (void)dgd::GrowthDistance(set, pose_1, set, pose_2, {}, &known_too);
+    (void)dgd::GrowthDistance(set, pose_1, set, pose_2, {.facet_walk = false}, &known_too);
     dgd::WarmStart<double> basis_alone = known_too;
     basis_alone.known_size = 0;
     pose_2.translation += 0.01 * random.UnitVector();
@@ -90,6 +90,7 @@ TEST(WarmStart, MeshesAfterOnePercentMotion_NeedFewerIterationsWithAllPointsThat
 TEST(WarmStart, PairAtRest_KeepsThePointsThatAreKnown) {
   Random random(TestSeed());
   const int pairs = 100;
+  const dgd::Settings<double> settings{.facet_walk = false};
   int with_points = 0;
   for (int i = 0; i < pairs; ++i) {
     ReferencePair reference;
@@ -98,9 +99,9 @@ TEST(WarmStart, PairAtRest_KeepsThePointsThatAreKnown) {
     PlaceRandomly(random, reference, {.closest = 0.2, .farthest = 5});
     const SolverPair<double> pair(reference);
     dgd::WarmStart<double> warm_start;
-    (void)pair.GrowthDistance({}, &warm_start);
+    (void)pair.GrowthDistance(settings, &warm_start);
     const dgd::WarmStart<double> first = warm_start;
-    if (pair.GrowthDistance({}, &warm_start).iterations != 1) continue;
+    if (pair.GrowthDistance(settings, &warm_start).iterations != 1) continue;
     EXPECT_EQ(warm_start.known_size, first.known_size);
     const auto begin = static_cast<std::size_t>(first.size), end = begin + static_cast<std::size_t>(first.known_size);
     for (std::size_t k = begin; k < end; ++k) {

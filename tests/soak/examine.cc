@@ -64,7 +64,7 @@ class Examination {
   }
 
   /// Its bounds are watched while they approach each other; but not in every second frame, as nobody watches an app's:
-  /// the last facet (ray/last_facet.h) answers only those.
+  /// polytopes' walk (ray/facet_walk.h) answers only those.
   dgd::Result<S, L> AskGrowthDistance(dgd::WarmStart<S, L>& warm_start) {
     if (trace_ != nullptr) TraceFrame();
     if (frame_ % 2 != 0) return pair_.GrowthDistance(settings_, &warm_start);

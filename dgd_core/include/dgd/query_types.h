@@ -42,6 +42,7 @@ struct Settings {
   /// For comparison only; there is no other reason to turn these off.
   bool second_order = true;   ///< Second-order steps on curved cores (ray/second_order_step.h).
   bool rounding = true;       ///< Radii kept apart from the cores (ray/inner_approximation.h).
+  bool facet_walk = true;     ///< Polytopes' shorter way (ray/facet_walk.h).
   bool known_points = true;   ///< Support points of the two sets combined anew (ray/known_points.h).
   bool half_way_cuts = true;  ///< On curved cores, between two normals (NormalBetween() in ray/ray_intersection.h).
 };
@@ -110,6 +111,12 @@ struct WarmStart {
   std::int32_t known_size = 0;  ///< Points after these.
 };
 static_assert(sizeof(WarmStart<double>) <= 128, "must fit into a Bullet algorithm object beside the rest");
+
+/// Whether there is a last normal, of unit length: nothing else bounds anything, wherever it comes from.
+template <class S, int L>
+bool HasNormal(const WarmStart<S, L>& warm_start) {
+  return std::abs(warm_start.normal_1.squaredNorm() - 1) <= kSqrtEpsilon<S>;  // False for NaN.
+}
 
 template <class Set>
 using ResultOf = Result<typename Set::Scalar, kDimension<typename Set::Core>>;

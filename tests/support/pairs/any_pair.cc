@@ -36,7 +36,7 @@ dgd::Result<S, L> AnyPair<S, L>::GrowthDistance(const dgd::Settings<S>& settings
   return std::visit(
       [&]<class Set1, class Set2>(const Set1& a, const Set2& b) {
         // An observed query is another one, and these alone differ; the others need not be compiled twice.
-        if constexpr (dgd::kHasLastFacet<Set1, Set2>) {
+        if constexpr (dgd::kHasFacetWalk<Set1, Set2>) {
           if (!observer) return dgd::GrowthDistance(a, pose_1_, b, pose_2_, settings, warm_start);
         }
         return dgd::GrowthDistance(a, pose_1_, b, pose_2_, settings, warm_start, tell);

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "dgd/growth_distance.h"
-#include "dgd/ray/last_facet.h"
+#include "dgd/ray/facet_walk.h"
 #include "dgd/ray/ray_intersection.h"
 
 namespace dgd {
@@ -63,9 +63,9 @@ bool FindLineOfCenters(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2
   return true;
 }
 
-/// Whether LastFacet is for these sets.
+/// Whether FacetWalk is for these sets.
 template <class Set1, class Set2>
-constexpr bool kHasLastFacet = kDimension<typename Set1::Core> == 3 && MinkowskiDifference<Set1, Set2>::kIsPolytope;
+constexpr bool kHasFacetWalk = kDimension<typename Set1::Core> == 3 && MinkowskiDifference<Set1, Set2>::kIsPolytope;
 
 template <class Set1, class Set2, class Observer>
 [[gnu::flatten]] ResultOf<Set1> GrowthDistance(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
@@ -79,20 +79,24 @@ template <class Set1, class Set2, class Observer>
     return result;
   }
   Settings<typename Set1::Scalar> remaining = settings;
-  // An observer is told of bounds that the last facet does not have.
-  if constexpr (kHasLastFacet<Set1, Set2> && std::is_same_v<Observer, const NoObserver>) {
-    using Last = LastFacet<Set1, Set2>;
-    if (warm_start != nullptr && warm_start->size == 3 && settings.rounding &&
-        settings.max_iterations > Last::kMostIterations) {
-      Last last(set_1, pose_1, set_2, pose_2);
-      if (last.Solve(settings, *warm_start, result)) return result;
-      remaining.max_iterations -= last.Iterations();
+  // An observer is told of bounds that the walk does not have.
+  if constexpr (kHasFacetWalk<Set1, Set2> && std::is_same_v<Observer, const NoObserver>) {
+    using Walk = FacetWalk<Set1, Set2>;
+    if (settings.facet_walk && settings.rounding && settings.max_iterations > Walk::kMostAnew) {
+      Walk walk(set_1, pose_1, set_2, pose_2);
+      const bool has_facet = warm_start != nullptr && warm_start->size == 3;
+      if (has_facet ? walk.SolveFromLast(settings, *warm_start, result)
+                    : walk.SolveAnew(settings, warm_start, result)) {
+        return result;
+      }
+      result = {};
+      remaining.max_iterations -= walk.Iterations();
     }
   }
   RayIntersection<Set1, Set2> query(set_1, pose_1, set_2, pose_2, remaining);
   result.status = query.Solve(Question::kDistance, warm_start, observer);
-  result.iterations = settings.max_iterations - remaining.max_iterations + query.Iterations();
   if (result.status == Status::kInvalidInput || result.status == Status::kNoInterior) return result;
+  result.iterations = settings.max_iterations - remaining.max_iterations + query.Iterations();
   result.lower_bound = query.LowerBound();
   result.upper_bound = query.UpperBound();
   result.normal = query.Normal();

@@ -12,12 +12,6 @@
 
 namespace dgd {
 
-/// Whether there is a last normal, of unit length: nothing else bounds anything, wherever it comes from.
-template <class S, int L>
-bool HasNormal(const WarmStart<S, L>& warm_start) {
-  return std::abs(warm_start.normal_1.squaredNorm() - 1) <= kSqrtEpsilon<S>;  // False for NaN.
-}
-
 /// What ends a query besides convergence.
 enum class Question { kDistance, kCollision };
 
