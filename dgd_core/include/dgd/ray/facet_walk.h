@@ -157,6 +157,8 @@ class FacetWalk {
     const Corner first = CornerAlong(axis);
     const S height = axis.dot(first.point);
     const Point beside = first.point - height * axis;
+    // Of skewed sets, what is farthest along the ray is far from it, and so is what is found like that.
+    if (beside.squaredNorm() > S(0.5) * height * height) return Exchange(first);
     const Corner second = CornerAlong(height * axis - kSpread * beside);
     const Point across = axis.cross(second.point - first.point);
     const S width_sq = across.squaredNorm(), side = across.dot(first.point);
