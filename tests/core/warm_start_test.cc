@@ -60,7 +60,7 @@ void CompareIterations(double radius) {
   EXPECT_LT(double(warm), 0.7 * double(cold));
 }
 /// Ellipsoids of a thousand vertices, moved by 1 % of their length: iterations with all that a state holds, and with
-/// the basis alone; of queries that are watched, which the last facet does not answer.
+/// the basis alone; of queries that are watched, which no walk answers.
 TEST(WarmStart, MeshesAfterOnePercentMotion_NeedFewerIterationsWithAllPointsThatAreKnown) {
   Random random(TestSeed());
   std::vector<Eigen::Vector3d> points;

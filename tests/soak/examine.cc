@@ -63,11 +63,11 @@ class Examination {
     }
   }
 
-  /// Its bounds are watched while they approach each other; but not in every second frame, as nobody watches an app's:
-  /// polytopes' walk (ray/facet_walk.h) answers only those.
+  /// Its bounds are watched while they approach each other; but not in every second frame, nor at the start of every
+  /// second pair, as nobody watches an app's: polytopes' walk (ray/facet_walk.h) answers only those.
   dgd::Result<S, L> AskGrowthDistance(dgd::WarmStart<S, L>& warm_start) {
     if (trace_ != nullptr) TraceFrame();
-    if (frame_ % 2 != 0) return pair_.GrowthDistance(settings_, &warm_start);
+    if ((case_.index + frame_) % 2 != 0) return pair_.GrowthDistance(settings_, &warm_start);
     dgd::Iterate<S, L> last{0, 0, std::numeric_limits<S>::infinity(), dgd::Vector<S, L>::Zero()};
     bool is_monotone = true;
     const auto result = pair_.GrowthDistance(settings_, &warm_start, [&](const dgd::Iterate<S, L>& iterate) {
