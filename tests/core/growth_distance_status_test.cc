@@ -111,7 +111,8 @@ TYPED_TEST(GrowthDistanceStatus, InteriorBelowRounding_OfARadius) {
   pose.translation = Vector(7, -1, -5);
   for (const dgd::Triangle<S>& triangle : {degenerate, oblique}) {
     const auto ask = [&](S radius) {
-      const dgd::RoundedSet set_1{triangle, S(0)}, set_2{point, radius};
+      const dgd::RoundedSet set_1{triangle};
+      const dgd::RoundedSet set_2{point, radius};
       const Status yes_no = dgd::DetectCollision(set_1, {}, set_2, pose).status;
       EXPECT_EQ(yes_no, Status::kSeparated);
       return dgd::GrowthDistance(set_1, {}, set_2, pose);
