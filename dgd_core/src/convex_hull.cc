@@ -257,6 +257,7 @@ void CopyFacets(qhT* qh, std::span<const Vector3d> points, const QhullCoordinate
       }
       loop.push_back(renumbered[point]);
     }
+
     // Newell's normal of the loop decides the order: counterclockwise seen from outside.
     const Vector3d outward(facet->normal[0], facet->normal[1], facet->normal[2]);
     const auto corner = [&](std::size_t i) { return coordinates.ToQhull(hull.vertices[loop[i]]); };

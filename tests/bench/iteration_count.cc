@@ -78,7 +78,7 @@ const std::vector<IterationVariant>& IterationVariants() {
     const dgd::Settings<double> usual;
     dgd::Settings<double> exact;
     exact.relative_tolerance = 1e-12;
-    // What else is left out is of the way that is left then.
+    // What else is left out, the walk does without.
     dgd::Settings<double> no_walk;
     no_walk.facet_walk = false;
     dgd::Settings<double> first_order = no_walk;

@@ -55,7 +55,7 @@ constexpr auto kKnownPoints = &dgd::Settings<double>::known_points;
 constexpr auto kFacetWalk = &dgd::Settings<double>::facet_walk;
 constexpr auto kHalfWayCuts = &dgd::Settings<double>::half_way_cuts;
 
-// Steps that take half the time, and are half as many again.
+// More steps, each for less.
 TEST(FacetWalkSetting, SharpPolytopes_GiveTheSameAnswer) {
   Random random(7);
   std::vector<Eigen::Vector3d> points;

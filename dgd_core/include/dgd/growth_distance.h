@@ -14,8 +14,8 @@ namespace dgd {
 /// @param pose_1, pose_2  Of the sets in the world.
 /// @param warm_start      In and out; nullptr for a cold start that remembers nothing.
 /// @param observer        Called with an Iterate after each iteration; not at all where none was needed: for coincident
-///                        centres, and for sets that the last normal alone proves to be apart. A warm query of
-///                        polytopes that is observed takes the longer way: ray/facet_walk.h is not for it.
+///                        centres, and for sets that the last normal alone proves to be apart. Polytopes that are
+///                        observed take more time: the walk of ray/facet_walk.h has no bounds to tell.
 /// Allocates nothing and does not throw. Alg. 3 of the paper.
 template <class Set1, class Set2, class Observer = const NoObserver>
 ResultOf<Set1> GrowthDistance(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,

@@ -54,11 +54,12 @@ struct MovingPair {
   dgd::WarmStart<double> state;
 };
 
+/// @param most_infeasible  Metres.
 template <class Core>
-void ExpectCertified(const MovingPair<Core>& pair, const dgd::Result<double>& result) {
+void ExpectCertified(const MovingPair<Core>& pair, const dgd::Result<double>& result, double most_infeasible = 1e-14) {
   EXPECT_EQ(result.status, dgd::Status::kOptimal);
   const dgd::Certificate certificate = dgd::Certify(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2, result);
-  EXPECT_LE(certificate.primal_infeasibility, 1e-13);
+  EXPECT_LE(certificate.primal_infeasibility, most_infeasible);
   EXPECT_LE(certificate.dual_infeasibility, 1e-14);
   EXPECT_LE(certificate.relative_gap, 1.0001 * dgd::kSqrtEpsilon<double>);
   EXPECT_LE(certificate.separation_error, 1e-14);
@@ -109,9 +110,10 @@ TEST(FacetWalk, MeshesWhoseFacetsAreSmallerThanTheMotion_AreReachedBySteps) {
   EXPECT_GT(ShareAnswered<dgd::Mesh<double>>(1000, 0, 0.01), 0.65);
 }
 
+/// @param most_infeasible  Metres.
 /// @return the part of the queries that the walk from the ball about the centre answers, as above.
 template <class Core>
-double ShareAnsweredAnew(int least_vertices, int most_vertices, const Vector3d& radii) {
+double ShareAnsweredAnew(int least_vertices, int most_vertices, const Vector3d& radii, double most_infeasible) {
   Random random(TestSeed());
   int answered = 0;
   const int asked = TestCount(1000, 100);
@@ -125,7 +127,7 @@ double ShareAnsweredAnew(int least_vertices, int most_vertices, const Vector3d& 
     if (!walk.SolveAnew({}, &pair.state, result)) continue;
     ++answered;
     EXPECT_EQ(result.iterations, walk.Iterations());
-    ExpectCertified(pair, result);
+    ExpectCertified(pair, result, most_infeasible);
     EXPECT_NEAR(result.upper_bound / ObservedGrowthDistance(pair).upper_bound, 1, 2 * dgd::kSqrtEpsilon<double>);
     // The next query goes on from there.
     EXPECT_EQ(pair.state.size, 3);
@@ -138,9 +140,10 @@ double ShareAnsweredAnew(int least_vertices, int most_vertices, const Vector3d& 
 }
 
 TEST(FacetWalk, HullsAnew_AreAnsweredByIt) {
-  EXPECT_GT(ShareAnsweredAnew<Hull>(8, 20, {0.5, 0.4, 0.3}), 0.95);
-  EXPECT_GT(ShareAnsweredAnew<dgd::Mesh<double>>(100, 1000, {0.5, 0.4, 0.3}), 0.95);
-  EXPECT_GT(ShareAnsweredAnew<Hull>(4, 8, {1, 0.05, 0.05}), 0.2);
+  EXPECT_GT(ShareAnsweredAnew<Hull>(8, 20, {0.5, 0.4, 0.3}, 1e-14), 0.95);
+  EXPECT_GT(ShareAnsweredAnew<dgd::Mesh<double>>(100, 1000, {0.5, 0.4, 0.3}, 1e-14), 0.95);
+  // Needles, whose growth distances, and the witness points' last digits with them, are large.
+  EXPECT_GT(ShareAnsweredAnew<Hull>(4, 8, {1, 0.05, 0.05}, 1e-13), 0.2);
 }
 
 class FacetWalkOfAPair : public testing::Test {

@@ -75,7 +75,7 @@ class Examiner {
       }
       case dgd::Status::kNoInterior:
         Decline();
-        // Beyond what is left of points in any direction.
+        // Less than the rounding of the points may be declined.
         if (pair_.Inradii() > Limits<S>::kUnits * Limits<S>::kEpsilon * (pair_.Extent() + pair_.Offset())) {
           examination_.growth_distance = Verdict::kRefuted;
           remarks_ << "  though one set has an interior\n";

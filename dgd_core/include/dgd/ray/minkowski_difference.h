@@ -79,7 +79,7 @@ template <class Set1, class Set2>
 bool HasCertainInterior(const Set1& set_1, const Set2& set_2, const VectorOf<typename Set1::Core>& point_1,
                         const VectorOf<typename Set1::Core>& point_2) {
   using S = typename Set1::Scalar;
-  constexpr S kUnits = 4;
+  constexpr S kUnits = 4;  // Last digits that a centroid, and a point turned into another frame, are off by.
   const S reach = set_1.core.Center().cwiseAbs().maxCoeff() + set_2.core.Center().cwiseAbs().maxCoeff() +
                   point_1.cwiseAbs().maxCoeff() + point_2.cwiseAbs().maxCoeff();
   return set_1.core.Inradius() + set_2.core.Inradius() + set_1.radius + set_2.radius > kUnits * kEpsilon<S> * reach;
@@ -138,6 +138,7 @@ class MinkowskiDifference {
   S Length() const { return length_; }
   /// Radius of a ball about the origin inside C, metres (eq. inradius). 0 if C has no interior.
   S Inradius() const { return inradius_; }
+  /// As dgd::HasCertainInterior(), which is what the inradius alone does not tell.
   /// @param support  Any support point.
   bool HasCertainInterior(const Feature& support) const {
     return dgd::HasCertainInterior(set_1_, set_2_, support.on_1, Point(support.on_1 - support.point));
