@@ -10,9 +10,9 @@
 #include <limits>
 #include <new>
 #include <optional>
-#include <typeinfo>
 #include <utility>
 
+#include "asked_by_app.h"
 #include "contact_drawer.h"
 #include "dgd_bullet/recorder.h"
 #include "friction_anchors.h"
@@ -56,9 +56,6 @@ bool IsCertified(const dgd::Result<double>& result) {
       return false;
   }
 }
-
-/// Whether contacts go to the app itself, and not into a step's manifolds: it derives from Bullet's result.
-bool IsAskedByApp(const btManifoldResult& output) { return typeid(output) != typeid(btManifoldResult); }
 
 const btConvexShape& ShapeOf(const btCollisionObjectWrapper* body) {
   return *static_cast<const btConvexShape*>(body->getCollisionShape());
@@ -273,7 +270,7 @@ bool ConvexConvexAlgorithm::StaysAtRest(const btCollisionObjectWrapper& body_0, 
   const auto& hull_0 = was_swapped_ ? hull_1_ : hull_0_;
   const auto& hull_1 = was_swapped_ ? hull_0_ : hull_1_;
   if (!resting_->IsAsItWas(body_0, body_1, *manifold_, hull_0, hull_1)) return false;
-  if (narrowphase_.options().friction_anchors) FrictionAnchors::HoldKept(*manifold_);
+  if (narrowphase_.options().friction_anchors) HoldKept(*manifold_);
   KeepContacts(*manifold_, output);
   if (PairCounters* counters = narrowphase_.pair_counters()) {
     counters->Count(ShapeOf(&body_0).getShapeType(), ShapeOf(&body_1).getShapeType(),
@@ -361,25 +358,7 @@ void ConvexConvexAlgorithm::WriteContacts(const dgd::ContactPatch<double>& patch
   }
   if (patch.size == 0 && manifold_->getNumContacts() == 0) return;  // As most pairs of a broadphase, step after step.
   const Options& options = narrowphase_.options();
-  if (options.contact_patch) DropStalePoints(*manifold_, patch);
-  // Bullet refuses points beyond the breaking threshold: speculative ones need it raised until they have passed.
-  const btScalar breaking_threshold = manifold_->getContactBreakingThreshold();
-  for (int i = 0; i < patch.size; ++i) {
-    const btScalar separation = btScalar(patch.points[static_cast<std::size_t>(i)].separation);
-    // Rounding to float must not put the point beyond its own threshold, nor its distance after a refresh.
-    constexpr btScalar kSlack = btScalar(1.001);
-    if (separation * kSlack > manifold_->getContactBreakingThreshold()) {
-      manifold_->setContactBreakingThreshold(separation * kSlack);
-    }
-  }
-  std::optional<FrictionAnchors> anchors;
-  if (options.friction_anchors && options.contact_patch) anchors.emplace(*manifold_);
-  WritePatch(patch, normal, output);
-  if (anchors) anchors->Restore(*manifold_);
-  output.refreshContactPoints();
-  DropPointsNotFinite(*manifold_);
-  OrderByImpulse(*manifold_);
-  manifold_->setContactBreakingThreshold(breaking_threshold);
+  UpdateManifold(patch, normal, {.drop_stale = options.contact_patch, .hold_stuck = options.friction_anchors}, output);
 }
 
 btScalar ConvexConvexAlgorithm::calculateTimeOfImpact(btCollisionObject* body_0, btCollisionObject* body_1,

@@ -1,9 +1,5 @@
 #include "friction_anchors.h"
 
-#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
-
-#include <cstddef>
-
 namespace dgd_bullet {
 namespace {
 
@@ -15,8 +11,7 @@ constexpr btScalar kMaxSlip = btScalar(0.01);
 constexpr int kAnchored = BT_CONTACT_FLAG_FRICTION_ANCHOR;
 constexpr int kNotOurs = kAnchored | BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED;
 
-/// On fewer points bodies rock, and would be given back what they slipped: fifty polytopes come to rest a tenth later.
-constexpr int kFewestOfFace = 3;
+bool IsOurs(const btManifoldPoint& point) { return (point.m_contactPointFlags & kNotOurs) == 0; }
 
 bool Sticks(const btManifoldPoint& point) {
   const btScalar lateral_1 = point.m_appliedImpulseLateral1, lateral_2 = point.m_appliedImpulseLateral2;
@@ -26,42 +21,31 @@ bool Sticks(const btManifoldPoint& point) {
 
 }  // namespace
 
-FrictionAnchors::FrictionAnchors(const btPersistentManifold& manifold) : size_(manifold.getNumContacts()) {
-  for (int i = 0; i < size_; ++i) {
-    const btManifoldPoint& point = manifold.getContactPoint(i);
-    anchors_[static_cast<std::size_t>(i)] = {point.m_localPointA, point.m_localPointB, point.getLifeTime(),
-                                             Sticks(point)};
-  }
+bool IsStuck(const btManifoldPoint& point) { return point.getLifeTime() > 0 && Sticks(point); }
+
+btVector3 SlipOf(const btManifoldPoint& point, const btTransform& pose_a, const btTransform& pose_b,
+                 const btVector3& normal, btScalar breaking_threshold) {
+  btVector3 slip = pose_a(point.m_localPointA) - pose_b(point.m_localPointB);
+  slip -= slip.dot(normal) * normal;
+  const btScalar max_slip = kMaxSlip * breaking_threshold;
+  const btScalar length_sq = slip.length2();
+  if (!(length_sq < btScalar(SIMD_INFINITY))) return {0, 0, 0};
+  if (length_sq > max_slip * max_slip) slip *= max_slip / btSqrt(length_sq);
+  return slip;
 }
 
-void FrictionAnchors::Restore(btPersistentManifold& manifold) const {
-  const btTransform& pose_a = manifold.getBody0()->getWorldTransform();
-  const btTransform& pose_b = manifold.getBody1()->getWorldTransform();
-  const btScalar max_slip = kMaxSlip * manifold.getContactBreakingThreshold();
-  if (manifold.getNumContacts() < kFewestOfFace) return;
-  for (int i = 0; i < size_ && i < manifold.getNumContacts(); ++i) {
-    const Anchor& anchor = anchors_[static_cast<std::size_t>(i)];
-    btManifoldPoint& point = manifold.getContactPoint(i);
-    // A continued point keeps its place and its life time; one that took the place of another has none yet.
-    const bool is_continued = anchor.life_time > 0 && point.getLifeTime() == anchor.life_time;
-    if (!is_continued || !anchor.sticks || (point.m_contactPointFlags & kNotOurs) != 0) continue;
-    const btVector3& normal = point.m_normalWorldOnB;
-    btVector3 slip = pose_a(anchor.on_a) - pose_b(anchor.on_b);
-    slip -= slip.dot(normal) * normal;
-    const btScalar length = slip.length();
-    if (!(length < btScalar(SIMD_INFINITY))) continue;
-    if (length > max_slip) slip *= max_slip / length;
-    point.m_localPointA = pose_a.invXform(point.m_positionWorldOnA + btScalar(0.5) * slip);
-    point.m_localPointB = pose_b.invXform(point.m_positionWorldOnB - btScalar(0.5) * slip);
-    point.m_contactPointFlags |= kAnchored;
-  }
+void Hold(btManifoldPoint& point, const btVector3& slip) {
+  if (!IsOurs(point)) return;
+  point.m_positionWorldOnA += btScalar(0.5) * slip;
+  point.m_positionWorldOnB -= btScalar(0.5) * slip;
+  point.m_contactPointFlags |= kAnchored;
 }
 
-void FrictionAnchors::HoldKept(btPersistentManifold& manifold) {
-  if (manifold.getNumContacts() < kFewestOfFace) return;
+void HoldKept(btPersistentManifold& manifold) {
+  if (manifold.getNumContacts() < kFewestAnchors) return;
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     btManifoldPoint& point = manifold.getContactPoint(i);
-    if ((point.m_contactPointFlags & kNotOurs) == 0 && Sticks(point)) point.m_contactPointFlags |= kAnchored;
+    if (IsOurs(point) && Sticks(point)) point.m_contactPointFlags |= kAnchored;
   }
 }
 

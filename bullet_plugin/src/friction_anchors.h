@@ -8,37 +8,27 @@
 #pragma once
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
-#include <LinearMath/btVector3.h>
-
-#include <array>
+#include <LinearMath/btTransform.h>
 
 namespace dgd_bullet {
 
-/// The contact points of a manifold that this pair owns, from before a patch is handed over until after. For whole
-/// patches only: the world positions of points that no patch has written in this step are the last step's.
-class FrictionAnchors {
- public:
-  explicit FrictionAnchors(const btPersistentManifold& manifold);
+/// On fewer points bodies rock, and would be given back what they slipped: fifty polytopes come to rest a tenth later.
+constexpr int kFewestAnchors = 3;
 
-  /// Where faces lie on each other: of the points that the patch continued, those that stuck in the last step (lateral
-  /// impulses within the friction cone) get the way that their surfaces have slipped by, up to a small part of the
-  /// breaking threshold, and the flag that makes the solver take it back. Leaves alone what Bullet anchors itself, and
-  /// surfaces with a motion of their own, such as belts.
-  void Restore(btPersistentManifold& manifold) const;
+/// Whether a point that has been in its manifold for a step stuck there: lateral impulses within the friction cone.
+bool IsStuck(const btManifoldPoint& point);
 
-  /// For a manifold whose points have been kept, not found anew: those that stuck in the last step are held where they
-  /// were found.
-  static void HoldKept(btPersistentManifold& manifold);
+/// The way that the surfaces have slipped by, since the point's two places met, across a normal: B to A, world, metres;
+/// up to a small part of the breaking threshold.
+btVector3 SlipOf(const btManifoldPoint& point, const btTransform& pose_a, const btTransform& pose_b,
+                 const btVector3& normal, btScalar breaking_threshold);
 
- private:
-  struct Anchor {
-    btVector3 on_a, on_b;  // In the bodies' frames, metres.
-    int life_time;
-    bool sticks;
-  };
+/// Has the solver take back the slip of a point that has just been found anew: moves its two places in the world.
+/// Leaves alone what Bullet anchors itself, and surfaces with a motion of their own, such as belts.
+void Hold(btManifoldPoint& point, const btVector3& slip);
 
-  std::array<Anchor, MANIFOLD_CACHE_SIZE> anchors_;
-  int size_;
-};
+/// For a manifold whose points have been kept, not found anew: those that stuck in the last step are held where they
+/// were found.
+void HoldKept(btPersistentManifold& manifold);
 
 }  // namespace dgd_bullet

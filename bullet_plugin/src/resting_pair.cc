@@ -7,6 +7,7 @@
 
 #include <limits>
 
+#include "contact_materials.h"
 #include "pair_motion.h"
 #include "shape_adapter.h"
 #include "shape_points.h"
@@ -106,19 +107,8 @@ bool RestingPair::IsSame(const Side& then, const btCollisionObjectWrapper& body,
 
 void KeepContacts(btPersistentManifold& manifold, btManifoldResult& output) {
   if (manifold.getNumContacts() == 0) return;
-  const btCollisionObject* body_0 = output.getBody0Internal();
-  const btCollisionObject* body_1 = output.getBody1Internal();
-  const btScalar friction = gCalculateCombinedFrictionCallback(body_0, body_1);
-  const btScalar restitution = gCalculateCombinedRestitutionCallback(body_0, body_1);
-  const btScalar rolling = gCalculateCombinedRollingFrictionCallback(body_0, body_1);
-  const btScalar spinning = gCalculateCombinedSpinningFrictionCallback(body_0, body_1);
-  for (int i = 0; i < manifold.getNumContacts(); ++i) {
-    btManifoldPoint& point = manifold.getContactPoint(i);
-    point.m_combinedFriction = friction;
-    point.m_combinedRestitution = restitution;
-    point.m_combinedRollingFriction = rolling;
-    point.m_combinedSpinningFriction = spinning;
-  }
+  const ContactMaterials materials(*output.getBody0Internal(), *output.getBody1Internal());
+  for (int i = 0; i < manifold.getNumContacts(); ++i) materials.ApplyTo(manifold.getContactPoint(i));
   output.refreshContactPoints();
 }
 
