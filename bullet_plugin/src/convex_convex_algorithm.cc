@@ -214,7 +214,8 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObj
   }
   if (WantsContacts(info.m_debugDraw)) DrawContacts(patch, result, *info.m_debugDraw);
   WriteContacts(patch, result.normal, output);
-  if (query.motion.IsWithin(RestingDistance(query.breaking_threshold))) RememberRest(*body_0, *body_1);
+  // Bodies that do not touch may be given a speed that makes them.
+  if (had_contact_ && query.motion.IsWithin(RestingDistance(query.breaking_threshold))) RememberRest(*body_0, *body_1);
   return std::nullopt;
 } catch (const std::bad_alloc&) {
   return Fallback::kNoMemory;  // For a hull.
@@ -302,8 +303,6 @@ bool ConvexConvexAlgorithm::StaysApart(const btCollisionObjectWrapper& body_0, c
     counters->Count(ShapeOf(&a).getShapeType(), ShapeOf(&b).getShapeType(),
                     {.way = PairOutcome::Way::kSeparated, .iterations = 1});
   }
-  const double breaking_threshold = double(manifold_->getContactBreakingThreshold());
-  if (motion.IsWithin(RestingDistance(breaking_threshold))) RememberRest(body_0, body_1);
   return true;
 } catch (const std::exception&) {
   return false;  // A user's shape that throws: FindContacts() says what comes of it.

@@ -13,13 +13,17 @@ namespace dgd_bullet {
 /// NaN.
 inline bool IsSomewhere(const btVector3& point) { return point.absolute().dot({1, 1, 1}) <= btScalar(1e15); }
 
-/// Whether a contact is, and the bodies, in whose frames Bullet keeps it.
-inline bool IsSomewhere(const btManifoldResult& output, const btVector3& point, btScalar separation) {
+/// Whether a contact is.
+inline bool IsSomewhere(const btVector3& point, btScalar separation) {
+  return IsSomewhere(point) && IsSomewhere({separation, 0, 0});
+}
+
+/// Whether the bodies are, in whose frames Bullet keeps contacts.
+inline bool AreBodiesSomewhere(const btManifoldResult& output) {
   const auto is_near = [](const btCollisionObjectWrapper& body) {
     return IsSomewhere(body.getCollisionObject()->getWorldTransform().getOrigin());
   };
-  return IsSomewhere(point) && IsSomewhere({separation, 0, 0}) && is_near(*output.getBody0Wrap()) &&
-         is_near(*output.getBody1Wrap());
+  return is_near(*output.getBody0Wrap()) && is_near(*output.getBody1Wrap());
 }
 
 /// Hands on to another result all contacts but those that are nowhere.
@@ -35,7 +39,9 @@ class FiniteResult final : public btManifoldResult {
   void setShapeIdentifiersB(int part, int index) override { output_.setShapeIdentifiersB(part, index); }
   void addContactPoint(const btVector3& normal_on_b, const btVector3& point, btScalar separation) override {
     const bool has_normal = std::abs(normal_on_b.length2() - 1) <= kOff;
-    if (has_normal && IsSomewhere(*this, point, separation)) output_.addContactPoint(normal_on_b, point, separation);
+    if (has_normal && IsSomewhere(point, separation) && AreBodiesSomewhere(*this)) {
+      output_.addContactPoint(normal_on_b, point, separation);
+    }
   }
 
  private:

@@ -34,10 +34,13 @@ btVector3 SlipOf(const btManifoldPoint& point, const btTransform& pose_a, const 
   return slip;
 }
 
-void Hold(btManifoldPoint& point, const btVector3& slip) {
+void Hold(btManifoldPoint& point, const btVector3& slip, const btTransform& pose_a, const btTransform& pose_b) {
   if (!IsOurs(point)) return;
-  point.m_positionWorldOnA += btScalar(0.5) * slip;
-  point.m_positionWorldOnB -= btScalar(0.5) * slip;
+  const btVector3 half = btScalar(0.5) * slip;
+  point.m_positionWorldOnA += half;
+  point.m_positionWorldOnB -= half;
+  point.m_localPointA += half * pose_a.getBasis();
+  point.m_localPointB -= half * pose_b.getBasis();
   point.m_contactPointFlags |= kAnchored;
 }
 

@@ -23,9 +23,9 @@ bool IsStuck(const btManifoldPoint& point);
 btVector3 SlipOf(const btManifoldPoint& point, const btTransform& pose_a, const btTransform& pose_b,
                  const btVector3& normal, btScalar breaking_threshold);
 
-/// Has the solver take back the slip of a point that has just been found anew: moves its two places in the world.
-/// Leaves alone what Bullet anchors itself, and surfaces with a motion of their own, such as belts.
-void Hold(btManifoldPoint& point, const btVector3& slip);
+/// Has the solver take back the slip of a point that has just been found anew: moves its two places. Leaves alone what
+/// Bullet anchors itself, and surfaces with a motion of their own, such as belts.
+void Hold(btManifoldPoint& point, const btVector3& slip, const btTransform& pose_a, const btTransform& pose_b);
 
 /// For a manifold whose points have been kept, not found anew: those that stuck in the last step are held where they
 /// were found.

@@ -20,7 +20,8 @@ namespace {
 /// A patch in Bullet's numbers, and which of the manifold's points its own continue.
 struct BulletPatch {
   struct Contact {
-    btVector3 on_a, on_b;  // World, metres.
+    btVector3 on_a, on_b;    // World, metres.
+    btVector3 on_a_in_body;  // By FindContinued().
     btScalar separation;
     int continued;  // Index of a point in the manifold, or kNew.
   };
@@ -33,13 +34,13 @@ struct BulletPatch {
       const dgd::ContactPoint<double>& point = patch.points[static_cast<std::size_t>(i)];
       const btVector3 on_b = ToBullet(point.on_2);
       const auto separation = btScalar(point.separation);
-      contacts[static_cast<std::size_t>(i)] = {on_b + normal_on_b * separation, on_b, separation, kNew};
+      contacts[static_cast<std::size_t>(i)] = {on_b + normal_on_b * separation, on_b, {}, separation, kNew};
     }
   }
 
-  bool IsSomewhere(const btManifoldResult& output) const {
-    return std::all_of(contacts.begin(), contacts.begin() + size, [&](const Contact& contact) {
-      return dgd_bullet::IsSomewhere(output, contact.on_b, contact.separation);
+  bool IsSomewhere() const {
+    return std::all_of(contacts.begin(), contacts.begin() + size, [](const Contact& contact) {
+      return dgd_bullet::IsSomewhere(contact.on_b, contact.separation);
     });
   }
 
@@ -50,10 +51,10 @@ struct BulletPatch {
     const btScalar threshold = manifold.getContactBreakingThreshold();
     for (int i = 0; i < size; ++i) {
       Contact& contact = contacts[static_cast<std::size_t>(i)];
-      const btVector3 on_a = pose_a.invXform(contact.on_a);
+      contact.on_a_in_body = pose_a.invXform(contact.on_a);
       btScalar nearest_sq = threshold * threshold;
       for (int j = 0; j < cached; ++j) {
-        const btScalar distance_sq = (manifold.getContactPoint(j).m_localPointA - on_a).length2();
+        const btScalar distance_sq = (manifold.getContactPoint(j).m_localPointA - contact.on_a_in_body).length2();
         if (distance_sq < nearest_sq && !is_continued[static_cast<std::size_t>(j)]) {
           nearest_sq = distance_sq;
           contact.continued = j;
@@ -82,11 +83,6 @@ void DropStalePoints(btPersistentManifold& manifold, BulletPatch& patch) {
   }
 }
 
-void PlaceInBodies(btManifoldPoint& point, const btTransform& pose_a, const btTransform& pose_b) {
-  point.m_localPointA = pose_a.invXform(point.m_positionWorldOnA);
-  point.m_localPointB = pose_b.invXform(point.m_positionWorldOnB);
-}
-
 /// As btManifoldResult::addContactPoint() leaves points that it continues, and btPersistentManifold's refresh after it.
 class ContactRenewal {
  public:
@@ -109,6 +105,8 @@ class ContactRenewal {
     const bool is_held = hold_stuck_ && IsStuck(point);
     const btVector3 slip =
         is_held ? SlipOf(point, pose_a_, pose_b_, normal_on_b_, breaking_threshold_) : btVector3(0, 0, 0);
+    point.m_localPointA = contact.on_a_in_body;
+    point.m_localPointB = pose_b_.invXform(contact.on_b);
     point.m_positionWorldOnA = contact.on_a;
     point.m_positionWorldOnB = contact.on_b;
     point.m_normalWorldOnB = normal_on_b_;
@@ -121,12 +119,10 @@ class ContactRenewal {
     point.m_contactCFM = point.m_contactERP = point.m_frictionCFM = 0;
     materials_.ApplyTo(point);
     if (is_seen_by_app_) {
-      PlaceInBodies(point, pose_a_, pose_b_);
       gContactAddedCallback(point, &wrapper_a_, point.m_partId0, point.m_index0, &wrapper_b_, point.m_partId1,
                             point.m_index1);
     }
-    if (is_held) Hold(point, slip);
-    PlaceInBodies(point, pose_a_, pose_b_);
+    if (is_held) Hold(point, slip, pose_a_, pose_b_);
   }
 
  private:
@@ -233,19 +229,20 @@ bool HasOwnWay(const btManifoldResult& output) {
 }  // namespace
 
 void WritePatch(const dgd::ContactPatch<double>& patch, const Vector3& normal, btManifoldResult& output) {
+  if (!AreBodiesSomewhere(output)) return;
   const btVector3 normal_on_b = ToBullet(-normal);
   for (int i = 0; i < patch.size; ++i) {
     const dgd::ContactPoint<double>& point = patch.points[static_cast<std::size_t>(i)];
     const btVector3 on_b = ToBullet(point.on_2);
     const auto separation = btScalar(point.separation);
-    if (IsSomewhere(output, on_b, separation)) output.addContactPoint(normal_on_b, on_b, separation);
+    if (IsSomewhere(on_b, separation)) output.addContactPoint(normal_on_b, on_b, separation);
   }
 }
 
 void UpdateManifold(const dgd::ContactPatch<double>& patch, const Vector3& normal, const ManifoldUpdate& update,
                     btManifoldResult& output) {
   BulletPatch contacts(patch, normal);
-  if (update.drop_stale && !HasOwnWay(output) && contacts.IsSomewhere(output)) {
+  if (update.drop_stale && !HasOwnWay(output) && contacts.IsSomewhere() && AreBodiesSomewhere(output)) {
     WriteInPlace(contacts, update.hold_stuck, output);
   } else {
     WriteThroughBullet(patch, normal, update.drop_stale, output);

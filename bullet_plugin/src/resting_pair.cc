@@ -106,7 +106,6 @@ bool RestingPair::IsSame(const Side& then, const btCollisionObjectWrapper& body,
 }
 
 void KeepContacts(btPersistentManifold& manifold, btManifoldResult& output) {
-  if (manifold.getNumContacts() == 0) return;
   const ContactMaterials materials(*output.getBody0Internal(), *output.getBody1Internal());
   for (int i = 0; i < manifold.getNumContacts(); ++i) materials.ApplyTo(manifold.getContactPoint(i));
   output.refreshContactPoints();

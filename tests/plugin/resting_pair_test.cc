@@ -188,6 +188,22 @@ TEST(RestingPairOption, Off_FindsAnewAtEachStep) {
   EXPECT_EQ(world.statistics().pairs[0].resting, 0U);
 }
 
+// Near enough to be a pair, too far apart for a contact: what is kept of that must not hide what a shot makes of it.
+TEST(RestingPairOption, BodyAtRestThatIsShotAtAWall_IsStopped) {
+  TestWorld world(Route::kConfiguration);
+  world.world().setGravity(Vec(0, 0, 0));
+  world.Add(world.Make<btBoxShape>(Vec(1, 1, 0.05)), 0, Vec(0, 0, 0));
+  btRigidBody& body = world.Add(world.Make<btBoxShape>(Vec(0.1, 0.1, 0.1)), 1, Vec(0, 0, 0.18));
+  for (int i = 0; i < 3; ++i) {
+    world.Detect();
+    ASSERT_EQ(world.dispatcher().getNumManifolds(), 1);
+    ASSERT_TRUE(world.Points().empty());
+  }
+  body.setLinearVelocity(Vec(0, 0, -240));
+  world.Simulate(0.1);
+  EXPECT_GT(double(body.getWorldTransform().getOrigin().z()), 0.14);
+}
+
 /// A body that is carried along keeps no contact from where it was: the carrier's normal turns with it.
 TEST(RestingPairOption, OnATurningCarrier_NormalsTurnWithIt) {
   TestWorld world(Route::kConfiguration);
