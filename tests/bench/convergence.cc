@@ -59,7 +59,7 @@ constexpr std::array kVariants = [] {
   Variant ours{"ours", {}}, first_order{"ours, no second-order steps", {}}, printed{"the paper's steps alone", {}};
   first_order.settings.second_order = false;
   printed.settings.second_order = printed.settings.rounding = false;
-  printed.settings.known_points = printed.settings.half_way_cuts = false;
+  printed.settings.known_points = printed.settings.half_way_cuts = printed.settings.likely_start = false;
   std::array variants{ours, first_order, printed};
   for (Variant& variant : variants) variant.settings.relative_tolerance = 1e-12;
   return variants;

@@ -89,10 +89,13 @@ const std::vector<IterationVariant>& IterationVariants() {
     summed.known_points = false;
     dgd::Settings<double> creeping = no_walk;
     creeping.half_way_cuts = false;
+    dgd::Settings<double> along_ray = no_walk;
+    along_ray.likely_start = false;
     return std::vector<IterationVariant>{{"cold", usual, Start::kCold, true},
                                          {"warm", usual, Start::kWarm, true},
                                          {"warm, by the normal alone", no_walk, Start::kLastNormal, true},
                                          {"no walk to the facet, cold", no_walk, Start::kCold, true},
+                                         {"no guess of the first, cold", along_ray, Start::kCold, false},
                                          {"no second-order steps, cold", first_order, Start::kCold, false},
                                          {"no radii apart from cores, cold", unrounded, Start::kCold, false},
                                          {"no combined points, cold", summed, Start::kCold, false},

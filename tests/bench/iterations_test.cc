@@ -27,8 +27,8 @@ TEST(IterationsTest, FewPairs_TableHoldsEveryClassAndRow) {
   }
   for (const char* row :
        {"\n  cold ", "\n  warm  ", "\n  warm, by the normal alone ", "\n  no second-order steps, cold ",
-        "\n  no radii apart from cores, cold ", "\n  no combined points, cold ", "\n  no half-way cuts, cold ",
-        "\n  tolerance 1e-12, cold "}) {
+        "\n  no guess of the first, cold ", "\n  no radii apart from cores, cold ", "\n  no combined points, cold ",
+        "\n  no half-way cuts, cold ", "\n  tolerance 1e-12, cold "}) {
     EXPECT_EQ(Count(outcome.output, row), static_cast<int>(std::size(kClasses))) << row << '\n' << outcome.output;
   }
 }

@@ -53,7 +53,32 @@ constexpr auto kSecondOrder = &dgd::Settings<double>::second_order;
 constexpr auto kRounding = &dgd::Settings<double>::rounding;
 constexpr auto kKnownPoints = &dgd::Settings<double>::known_points;
 constexpr auto kFacetWalk = &dgd::Settings<double>::facet_walk;
+constexpr auto kLikelyStart = &dgd::Settings<double>::likely_start;
 constexpr auto kHalfWayCuts = &dgd::Settings<double>::half_way_cuts;
+
+TEST(LikelyStart, SkewedSets_NeedFewerIterationsForTheSameAnswer) {
+  const dgd::RoundedSet ellipsoid{dgd::Ellipsoid<double>({0.1, 0.7, 1.5})};
+  const dgd::RoundedSet cone{dgd::Cone<double>(0.2, 3)};
+  const dgd::RoundedSet cylinder{dgd::Cylinder<double>(1, 0.1), 0.02};
+  const dgd::RoundedSet frustum{dgd::Frustum<double>(0.1, 0.2, 3)};
+  const dgd::RoundedSet box{dgd::Box<double>({0.1, 0.7, 1.5})};
+  const dgd::RoundedSet segment{dgd::Segment<double>(2), 0.1};
+  const dgd::RoundedSet ellipse{dgd::Ellipse<double>({0.1, 1.5})};
+  for (const Iterations& iterations :
+       {Compare(kLikelyStart, ellipsoid, ellipsoid), Compare(kLikelyStart, ellipsoid, box),
+        Compare(kLikelyStart, cone, cylinder), Compare(kLikelyStart, frustum, segment),
+        Compare(kLikelyStart, cylinder, box), Compare(kLikelyStart, ellipse, ellipse)}) {
+    EXPECT_LT(iterations.on, iterations.off);
+  }
+}
+
+// What a core does not know of itself costs directions at most.
+TEST(LikelyStart, CoresWithoutSpread_GiveTheSameAnswer) {
+  const dgd::RoundedSet ellipsoid{dgd::Ellipsoid<double>({0.1, 0.7, 1.5})};
+  const dgd::RoundedSet triangle{dgd::Triangle<double>({1, 0, 0}, {0, 1, 0}, {0, 0, 1})};
+  static_assert(!dgd::SpreadCore<dgd::Triangle<double>> && dgd::SpreadCore<dgd::Ellipsoid<double>>);
+  Compare(kLikelyStart, ellipsoid, triangle);
+}
 
 // More steps, each for less.
 TEST(FacetWalkSetting, SharpPolytopes_GiveTheSameAnswer) {

@@ -96,6 +96,34 @@ SupportPoint<typename Core::Scalar, kDimension<Core>> SupportNear(const Core& co
   }
 }
 
+/// A core that knows about how far it reaches in which direction: a cold query of a curved set begins with a normal
+/// that is guessed from this.
+///  * Spread(): a symmetric, positive semidefinite matrix M in the core's frame, metres squared, full or diagonal:
+///  about
+///    Center(), the core reaches about as far as the ellipsoid does whose support value along d is sqrt(<d, M d>). Any
+///    will do; a good one saves a direction.
+template <class Core>
+concept SpreadCore = ConvexCore<Core> && requires(const Core& core, const VectorOf<Core>& vector) {
+  { core.Spread() * vector } -> std::convertible_to<VectorOf<Core>>;
+};
+
+/// The spread of a core that does not know its own: of the ball inside it.
+template <ConvexCore Core>
+auto SpreadOf(const Core& core) {
+  if constexpr (SpreadCore<Core>) {
+    return core.Spread();
+  } else {
+    using Diagonal = Eigen::DiagonalMatrix<typename Core::Scalar, kDimension<Core>>;
+    return Diagonal(VectorOf<Core>::Constant(core.Inradius() * core.Inradius()));
+  }
+}
+
+/// The spread of a core with these extents along its axes to either side; metres.
+template <class S, int L>
+Eigen::DiagonalMatrix<S, L> SpreadOfExtents(const Vector<S, L>& half_extents) {
+  return Eigen::DiagonalMatrix<S, L>(half_extents.cwiseProduct(half_extents));
+}
+
 /// A core whose support points are less exact than its scalar's rounding: evaluated in a smaller type, or iterated.
 ///  * Accuracy(): their error, relative to the core's size.
 template <class Core>
@@ -152,6 +180,7 @@ class CoreReference {
   }
   FeatureId PieceCount() const requires SmoothCore<CoreType> { return core_->PieceCount(); }
   auto FaceNormal(FeatureId piece) const requires FacedCore<CoreType> { return core_->FaceNormal(piece); }
+  auto Spread() const requires SpreadCore<CoreType> { return core_->Spread(); }
   Scalar SupportValue(const VectorOf<CoreType>& direction) const { return core_->SupportValue(direction); }
   Scalar Distance(const VectorOf<CoreType>& point) const { return core_->Distance(point); }
   template <class Face>

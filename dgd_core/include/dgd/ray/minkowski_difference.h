@@ -147,6 +147,30 @@ class MinkowskiDifference {
   S InradiusOfPoints() const { return InradiusOfPoints1() + set_2_.core.Inradius() + inflation_2_; }
   /// The part of InradiusOfPoints() that set 1 contributes.
   S InradiusOfPoints1() const { return set_1_.core.Inradius() + inflation_1_; }
+  /// A guess at the normal by which the ray leaves: of the ellipsoid whose matrix is the sum of the cores' spreads, and
+  /// of the radii squared. That of a p for a matrix M is M^-1 p: here, along M's last row of cofactors. Ray frame, unit
+  /// length, not downwards.
+  Point LikelyNormal() const {
+    const S radius = set_1_.radius + set_2_.radius;
+    Eigen::Matrix<S, L, L - 1> columns = radius * radius * Eigen::Matrix<S, L, L - 1>::Identity();
+    const auto add = [&](const auto& spread, const Matrix& to_frame) {
+      columns += to_frame * (spread * to_frame.template topRows<L - 1>().transpose());
+    };
+    add(SpreadOf(set_1_.core), to_frame_1_);
+    add(SpreadOf(set_2_.core), to_frame_2_);
+    const S size = columns.topRows(L - 1).trace();
+    if (!(size > 0)) return Point::Unit(L - 1);
+    columns /= size;
+    Point normal;
+    if constexpr (L == 3) {
+      normal = columns.col(0).cross(columns.col(1));
+    } else {
+      normal << -columns(1, 0), columns(0, 0);
+    }
+    const S length = normal.norm();
+    return length > 0 && normal[L - 1] > 0 ? Point(normal / length) : Point(Point::Unit(L - 1));
+  }
+
   /// Radius of the ball that is kept apart from the support points, metres; 0 if they include it.
   S Rounding() const { return rounding_; }
 
@@ -182,9 +206,9 @@ class MinkowskiDifference {
     const auto across_1 = to_frame_1_.template topRows<L - 1>();
     const auto across_2 = to_frame_2_.template topRows<L - 1>();
     const Vector<S, L - 1> n = normal.template head<L - 1>();
-    curved.derivative = across_1 * curved_1.derivative * across_1.transpose() +
-                        across_2 * curved_2.derivative * across_2.transpose() +
-                        (set_1_.radius + set_2_.radius) * (SquareMatrix<S, L - 1>::Identity() - n * n.transpose());
+    curved.derivative = (set_1_.radius + set_2_.radius) * (SquareMatrix<S, L - 1>::Identity() - n * n.transpose());
+    AddDerivative<typename Set1::Core>(across_1, curved_1, curved.derivative);
+    AddDerivative<typename Set2::Core>(across_2, curved_2, curved.derivative);
     return curved;
   }
 
@@ -197,10 +221,11 @@ class MinkowskiDifference {
     const Eigen::Matrix<S, L - 1, L> across_1 = tangents * to_frame_1_, across_2 = tangents * to_frame_2_;
     const CurvedPoint<S, L> curved_1 = OfFeature(set_1_.core, feature_1, to_frame_1_.transpose() * normal);
     const CurvedPoint<S, L> curved_2 = OfFeature(set_2_.core, feature_2, to_frame_2_.transpose() * -normal);
-    return {Difference({curved_1.point, feature_1}, {curved_2.point, feature_2}, normal),
-            across_1 * curved_1.derivative * across_1.transpose() +
-                across_2 * curved_2.derivative * across_2.transpose() +
-                (inflation_1_ + inflation_2_) * SquareMatrix<S, L - 1>::Identity()};
+    CurvedDifferencePoint<S, L> curved{Difference({curved_1.point, feature_1}, {curved_2.point, feature_2}, normal),
+                                       (inflation_1_ + inflation_2_) * SquareMatrix<S, L - 1>::Identity()};
+    AddDerivative<typename Set1::Core>(across_1, curved_1, curved.derivative);
+    AddDerivative<typename Set2::Core>(across_2, curved_2, curved.derivative);
+    return curved;
   }
 
   /// Outward normal of the flat face that a feature of set 1 (of set 2) bounds, ray frame; zero if there is none.
@@ -265,6 +290,14 @@ class MinkowskiDifference {
     } else {
       return {core.Vertex(feature), Matrix::Zero()};
     }
+  }
+
+  /// A core's part of the derivative; vertices have none.
+  /// @param across  The core's frame to the two axes that it is seen along.
+  template <FeatureCore Core, class Across>
+  static void AddDerivative([[maybe_unused]] const Across& across, [[maybe_unused]] const CurvedPoint<S, L>& curved,
+                            [[maybe_unused]] SquareMatrix<S, L - 1>& derivative) {
+    if constexpr (SmoothCore<Core>) derivative += across * curved.derivative * across.transpose();
   }
 
   DifferencePoint<S, L> Difference(const SupportPoint<S, L>& support_1, const SupportPoint<S, L>& support_2,

@@ -82,7 +82,7 @@ class RayIntersection {
 
   template <class Observer>
   [[gnu::flatten]] Status Improve(Question question, const WarmStart<S, L>* warm_start, Observer& observer) {
-    Point normal = warm_start != nullptr ? AdoptLastState(*warm_start) : inner_.Normal(), direction = normal;
+    Point normal = warm_start != nullptr ? AdoptLastState(*warm_start) : FirstNormal(), direction = normal;
     for (;;) {
       if (!(normal[L - 1] > 0)) return Status::kStalled;  // Also for NaN.
       const S last_outer = outer_.Height(), last_inner = inner_.Height();
@@ -239,6 +239,14 @@ class RayIntersection {
       // Scaled to unit length each time: the rotations' rounding would add up over the frames.
       const Point normal = difference_.DirectionToFrame(warm_start.normal_1).normalized();
       if (normal[L - 1] > 0) return normal;
+    }
+    return FirstNormal();
+  }
+
+  /// Without any state. Alg. 1 begins along the ray.
+  Point FirstNormal() const {
+    if constexpr (Difference::kIsSmooth) {
+      if (settings_.likely_start) return difference_.LikelyNormal();
     }
     return inner_.Normal();
   }

@@ -67,15 +67,16 @@ class SecondOrderSearch {
   /// @return whether the features are new; they are the first of the pieces then.
   bool Remember(const Feature& support) {
     const auto end = pieces_.begin() + count_;
-    const auto found =
-        std::find_if(pieces_.begin(), end, [&](const Feature& piece) { return AreOfSameFeatures(piece, support); });
+    const auto found = std::find_if(pieces_.begin(), end,
+                                    [&](const Piece& piece) { return AreOfSameFeatures(piece.support, support); });
     if (found != end) {
       std::rotate(pieces_.begin(), found, found + 1);
       return false;
     }
     if (count_ < static_cast<int>(pieces_.size())) ++count_;
     std::move_backward(pieces_.begin(), pieces_.begin() + count_ - 1, pieces_.begin() + count_);
-    pieces_[0] = support;
+    // What has just come up is most often active from now on.
+    pieces_[0] = {support, true};
     return true;
   }
 
@@ -84,17 +85,20 @@ class SecondOrderSearch {
   bool Step(const Difference& difference, const Point& normal, S outer_height, InnerApproximation<S, L>& inner,
             Point& next) {
     SecondOrderStep<S, L> step(normal);
+    typename SecondOrderStep<S, L>::Subset guess = 0;
     for (int i = 0; i < count_; ++i) {
-      Feature& piece = pieces_[static_cast<std::size_t>(i)];
-      const CurvedDifferencePoint<S, L> moved = difference.FromFeatures(piece.feature_1, piece.feature_2, normal);
+      auto& [support, was_active] = pieces_[static_cast<std::size_t>(i)];
+      const CurvedDifferencePoint<S, L> moved = difference.FromFeatures(support.feature_1, support.feature_2, normal);
       if (!moved.derivative.allFinite()) return false;
       if (!step.Add(moved, difference.Rounding())) return false;
-      piece = moved.support;
+      support = moved.support;
+      guess |= unsigned{was_active} << i;
     }
-    if (!step.Solve()) return false;
+    if (!step.Solve(guess)) return false;
     for (int i = 0; i < count_; ++i) {
-      const Feature& piece = pieces_[static_cast<std::size_t>(i)];
-      if (step.IsActive(i) && inner.IsWorthwhile(piece.point, outer_height)) inner.Insert(piece, outer_height);
+      auto& [support, is_active] = pieces_[static_cast<std::size_t>(i)];
+      is_active = step.IsActive(i);
+      if (is_active && inner.IsWorthwhile(support.point, outer_height)) inner.Insert(support, outer_height);
     }
     const S undershoot = kUndershoot * std::min(inner.Height(), outer_height - inner.Height());
     if (!(step.Height() >= inner.Height() - undershoot)) return false;
@@ -102,8 +106,13 @@ class SecondOrderSearch {
     return true;
   }
 
-  std::array<Feature, SecondOrderStep<S, L>::kMaxPieces> pieces_;  // The newest first.
-  Feature last_face_;                                              // The last features whose flat faces were tried.
+  struct Piece {
+    Feature support;
+    bool is_active = false;  // Where the last step found the minimum.
+  };
+
+  std::array<Piece, SecondOrderStep<S, L>::kMaxPieces> pieces_;  // The newest first.
+  Feature last_face_;                                            // The last features whose flat faces were tried.
   int face_tries_ = 0;
   int count_ = 0;
   int failures_ = 0;  // Steps and cutting planes since the last progress.

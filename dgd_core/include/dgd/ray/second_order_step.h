@@ -23,7 +23,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 
 #include "dgd/invert.h"
@@ -41,6 +40,9 @@ class SecondOrderStep {
 
   /// One more than are active at once, so that a newly met piece drives none of these out.
   static constexpr int kMaxPieces = L + 1;
+
+  /// Bit i stands for the i-th added piece. As many as kMaxPieces are never active at once.
+  using Subset = unsigned;
 
   /// @param normal  Where all pieces are taken: ray frame, unit length, upwards.
   explicit SecondOrderStep(const Point& normal) : normal_(normal) {}
@@ -60,12 +62,12 @@ class SecondOrderStep {
   }
 
   /// Finds the step; false if there is none. Few pieces have few subsets: the minimum is where one of them is active.
-  bool Solve() {
-    for (unsigned subset = 1; subset < 1U << size_; ++subset) {
-      if (std::popcount(subset) <= L && IsMinimum(subset)) {
-        active_ = subset;
-        return true;
-      }
+  /// @param guess  Tried first.
+  bool Solve(Subset guess) {
+    active_ = guess;
+    if (MayBeActive(guess) && IsMinimum(guess)) return true;
+    for (active_ = 1; active_ < 1U << size_; ++active_) {
+      if (active_ != guess && MayBeActive(active_) && IsMinimum(active_)) return true;
     }
     return false;
   }
@@ -83,6 +85,9 @@ class SecondOrderStep {
   }
 
  private:
+  static constexpr Subset kAll = (1U << kMaxPieces) - 1;
+  static bool MayBeActive(Subset subset) { return subset != 0 && subset != kAll; }
+
   using Across = Vector<S, L - 1>;
   using Matrix = SquareMatrix<S, L - 1>;
   struct Piece {
@@ -91,7 +96,7 @@ class SecondOrderStep {
     Matrix hessian;
   };
   /// Pieces that are taken to be equally high, and their multipliers.
-  struct Subset {
+  struct Members {
     std::array<const Piece*, L> pieces{};
     std::array<S, L> multipliers{};
     std::size_t size = 0;
@@ -99,30 +104,30 @@ class SecondOrderStep {
 
   /// Whether the model's minimum is where the pieces of the subset are equally high: none of them pulls the others
   /// down, and no other piece is higher there.
-  bool IsMinimum(unsigned members) {
-    Subset subset;
+  bool IsMinimum(Subset subset) {
+    Members members;
     for (std::size_t i = 0; i < Size(); ++i) {
-      if ((members >> i & 1U) != 0) subset.pieces[subset.size++] = &pieces_[i];
+      if ((subset >> i & 1U) != 0) members.pieces[members.size++] = &pieces_[i];
     }
-    subset.multipliers.fill(S(1) / S(subset.size));
+    members.multipliers.fill(S(1) / S(members.size));
     // The Hessian needs the multipliers, and they need the Hessian.
     Matrix hessian;
-    const int passes = subset.size == 1 ? 1 : 2;
+    const int passes = members.size == 1 ? 1 : 2;
     for (int pass = 0; pass < passes; ++pass) {
       hessian.setZero();
-      for (std::size_t i = 0; i < subset.size; ++i) {
-        hessian += std::max(subset.multipliers[i], S(0)) * subset.pieces[i]->hessian;
+      for (std::size_t i = 0; i < members.size; ++i) {
+        hessian += std::max(members.multipliers[i], S(0)) * members.pieces[i]->hessian;
       }
-      if (!Minimize(hessian, subset)) return false;
+      if (!Minimize(hessian, members)) return false;
     }
     if (!step_.allFinite()) return false;
-    for (std::size_t i = 0; i < subset.size; ++i) {
-      if (!(subset.multipliers[i] >= -kSqrtEpsilon<S>)) return false;
+    for (std::size_t i = 0; i < members.size; ++i) {
+      if (!(members.multipliers[i] >= -kSqrtEpsilon<S>)) return false;
     }
-    height_ = subset.pieces[0]->height + subset.pieces[0]->gradient.dot(step_);
+    height_ = members.pieces[0]->height + members.pieces[0]->gradient.dot(step_);
     const S slack = kWeightSlack<S> * std::abs(height_);
     for (std::size_t i = 0; i < Size(); ++i) {
-      const bool is_member = (members >> i & 1U) != 0;
+      const bool is_member = (subset >> i & 1U) != 0;
       if (!is_member && pieces_[i].height + pieces_[i].gradient.dot(step_) > height_ + slack) return false;
     }
     height_ += step_.dot(hessian * step_) / 2;
@@ -131,25 +136,25 @@ class SecondOrderStep {
 
   /// Finds the lowest point among those where all pieces of the subset are equally high, and their multipliers there.
   /// False if there is none, or more than one: pieces that are alike, or have no curvature.
-  bool Minimize(const Matrix& hessian, Subset& subset) {
-    if (subset.size == L) return IntersectPlanes(hessian, subset);
+  bool Minimize(const Matrix& hessian, Members& members) {
+    if (members.size == L) return IntersectPlanes(hessian, members);
     if constexpr (L == 3) {
-      if (subset.size == 2) return FollowLine(hessian, subset);
+      if (members.size == 2) return FollowLine(hessian, members);
     }
     Matrix inverse;
     if (!Invert(hessian, inverse)) return false;
-    step_ = -(inverse * subset.pieces[0]->gradient);
-    subset.multipliers[0] = 1;
+    step_ = -(inverse * members.pieces[0]->gradient);
+    members.multipliers[0] = 1;
     return true;
   }
 
   /// As many pieces as planes that meet in a point.
-  bool IntersectPlanes(const Matrix& hessian, Subset& subset) {
-    const Piece& last = *subset.pieces[L - 1];
+  bool IntersectPlanes(const Matrix& hessian, Members& members) {
+    const Piece& last = *members.pieces[L - 1];
     Matrix edges;
     Across rises;
     for (int i = 0; i < L - 1; ++i) {
-      const Piece& piece = *subset.pieces[static_cast<std::size_t>(i)];
+      const Piece& piece = *members.pieces[static_cast<std::size_t>(i)];
       edges.col(i) = piece.gradient - last.gradient;
       rises[i] = last.height - piece.height;
     }
@@ -157,14 +162,14 @@ class SecondOrderStep {
     if (!Invert(edges, inverse)) return false;
     step_ = inverse.transpose() * rises;
     const Across multipliers = inverse * -(hessian * step_ + last.gradient);
-    for (int i = 0; i < L - 1; ++i) subset.multipliers[static_cast<std::size_t>(i)] = multipliers[i];
-    subset.multipliers[L - 1] = 1 - multipliers.sum();
+    for (int i = 0; i < L - 1; ++i) members.multipliers[static_cast<std::size_t>(i)] = multipliers[i];
+    members.multipliers[L - 1] = 1 - multipliers.sum();
     return true;
   }
 
   /// Two pieces in space: to where their planes meet, and along that line to the lowest point.
-  bool FollowLine(const Matrix& hessian, Subset& subset) requires(L == 3) {
-    const Piece &first = *subset.pieces[0], &second = *subset.pieces[1];
+  bool FollowLine(const Matrix& hessian, Members& members) requires(L == 3) {
+    const Piece &first = *members.pieces[0], &second = *members.pieces[1];
     const Across edge = first.gradient - second.gradient;
     const S length_sq = edge.squaredNorm();
     if (!(length_sq > 0)) return false;
@@ -173,8 +178,8 @@ class SecondOrderStep {
     const S curvature = along.dot(hessian * along);
     if (curvature == 0) return false;
     step_ = to_line - along.dot(second.gradient + hessian * to_line) / curvature * along;
-    subset.multipliers[0] = -edge.dot(hessian * step_ + second.gradient) / length_sq;
-    subset.multipliers[1] = 1 - subset.multipliers[0];
+    members.multipliers[0] = -edge.dot(hessian * step_ + second.gradient) / length_sq;
+    members.multipliers[1] = 1 - members.multipliers[0];
     return true;
   }
 
@@ -183,7 +188,7 @@ class SecondOrderStep {
   Point normal_;
   int size_ = 0;
   std::array<Piece, kMaxPieces> pieces_;
-  unsigned active_ = 0;  // Bit i for the i-th piece.
+  Subset active_ = 0;
   Across step_ = Across::Zero();
   S height_ = 0;
 };

@@ -29,6 +29,8 @@ class Box {
   }
   const Vector<S, L>& Center() const { return center_; }
   S Inradius() const { return half_extents_.minCoeff(); }
+  /// See SpreadCore.
+  auto Spread() const { return SpreadOfExtents<S, L>(half_extents_); }
   /// See CenteredCore.
   void MoveCenterNear(const Vector<S, L>& point) {
     const Vector<S, L> reach = half_extents_.array() - Inradius();

@@ -17,7 +17,9 @@ class Cone {
   /// @param radius  Of the base disc at z = -height / 2; metres, >= 0.
   /// @param height  Base to apex (0, 0, height / 2); metres, >= 0. A zero makes a disc, a segment or a point.
   Cone(S radius, S height)
-      : radius_(RequireLength(radius, true, "cone radius")), height_(RequireLength(height, true, "cone height")) {}
+      : radius_(RequireLength(radius, true, "cone radius")),
+        height_(RequireLength(height, true, "cone height")),
+        inradius_(InradiusAtCenter()) {}
 
   SupportPoint<S> Support(const Vector3<S>& direction) const {
     // The apex beats the rim where height * d_z > radius * |d_xy|.
@@ -36,10 +38,9 @@ class Cone {
 
   /// The centroid, a quarter of the height above the base.
   Vector3<S> Center() const { return {0, 0, -height_ / 4}; }
-  S Inradius() const {
-    const S slant = std::hypot(radius_, height_);
-    return slant > 0 ? std::min(height_ / 4, height_ * S(0.75) * radius_ / slant) : S(0);
-  }
+  S Inradius() const { return inradius_; }
+  /// See SpreadCore.
+  auto Spread() const { return SpreadOfExtents<S, 3>({radius_, radius_, height_ / 2}); }
 
   /// Largest <direction, x> over the core.
   S SupportValue(const Vector3<S>& direction) const {
@@ -78,9 +79,14 @@ class Cone {
 
  private:
   Vector3<S> Apex() const { return {0, 0, height_ / 2}; }
+  S InradiusAtCenter() const {
+    const S slant = std::hypot(radius_, height_);
+    return slant > 0 ? std::min(height_ / 4, height_ * S(0.75) * radius_ / slant) : S(0);
+  }
 
   S radius_;
   S height_;
+  S inradius_;
 };
 
 }  // namespace dgd

@@ -33,6 +33,8 @@ class Cylinder {
   Vector3<S> FaceNormal(FeatureId piece) const { return {0, 0, piece == 0 ? S(1) : S(-1)}; }
   const Vector3<S>& Center() const { return center_; }
   S Inradius() const { return std::min(radius_, half_height_); }
+  /// See SpreadCore.
+  auto Spread() const { return SpreadOfExtents<S, 3>({radius_, radius_, half_height_}); }
   /// See CenteredCore.
   void MoveCenterNear(const Vector3<S>& point) {
     const S reach_z = half_height_ - Inradius(), reach = radius_ - Inradius();

@@ -29,17 +29,19 @@ Vector3<S> DiscSupport(const Vector3<S>& direction, S radius, S z) {
 /// axis the rim has no derivative, and NaN says so.
 template <class S>
 CurvedPoint<S> RimSupport(const Vector3<S>& direction, S radius, S z) {
-  CurvedPoint<S> rim{DiscSupport(direction, radius, z), Matrix3<S>::Zero()};
+  CurvedPoint<S> rim{{radius, 0, z}, Matrix3<S>::Zero()};
   if (radius == 0) return rim;
   const S lateral = std::sqrt(direction.x() * direction.x() + direction.y() * direction.y());
   if (!(lateral > kSmallestLateral<S>)) {
     rim.derivative.template topLeftCorner<2, 2>().setConstant(std::numeric_limits<S>::quiet_NaN());
     return rim;
   }
+  const S scale = radius / lateral;
+  rim.point.x() = direction.x() * scale;
+  rim.point.y() = direction.y() * scale;
   // radius / lateral * (I - n n^T), whose diagonal is the other coordinate's square.
   const S x = direction.x() / lateral, y = direction.y() / lateral;
-  const S slope = radius / lateral;
-  rim.derivative.template topLeftCorner<2, 2>() << slope * y * y, -slope * x * y, -slope * x * y, slope * x * x;
+  rim.derivative.template topLeftCorner<2, 2>() << scale * y * y, -scale * x * y, -scale * x * y, scale * x * x;
   return rim;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "dgd/convex_set.h"
+#include "dgd/ray/tolerances.h"
 #include "dgd/supporting_face.h"
 
 namespace dgd {
@@ -34,6 +35,7 @@ class Ellipsoid {
       return curved;
     }
     // A (I - n n^T) A / |A d|; on the diagonal, 1 - n_i^2 is the others' sum, which does not cancel.
+    const Vector<S, L> scaled = semi_axes_ / ball.length;
     for (int row = 0; row < L; ++row) {
       for (int column = 0; column < L; ++column) {
         S part = -ball.point[row] * ball.point[column];
@@ -41,7 +43,7 @@ class Ellipsoid {
           part = 0;
           for (int other = 0; other < L; ++other) part += other == row ? S(0) : ball.point[other] * ball.point[other];
         }
-        curved.derivative(row, column) = part * semi_axes_[row] * semi_axes_[column] / ball.length;
+        curved.derivative(row, column) = part * semi_axes_[row] * scaled[column];
       }
     }
     return curved;
@@ -50,6 +52,8 @@ class Ellipsoid {
 
   Vector<S, L> Center() const { return Vector<S, L>::Zero(); }
   S Inradius() const { return semi_axes_.minCoeff(); }
+  /// See SpreadCore.
+  auto Spread() const { return SpreadOfExtents<S, L>(semi_axes_); }
 
   /// Largest <direction, x> over the core.
   S SupportValue(const Vector<S, L>& direction) const { return semi_axes_.cwiseProduct(direction).stableNorm(); }
@@ -69,7 +73,14 @@ class Ellipsoid {
     S length;
   };
   BallPoint OnBall(const Vector<S, L>& direction) const {
-    // Scaled twice: neither the product nor its square under- or overflows.
+    const Vector<S, L> point = semi_axes_.cwiseProduct(direction);
+    const S length = point.norm();
+    if (!(length > kLeastSize<S> && length < kGreatestSize<S>)) return OnBallOfAnySize(direction);
+    return {point / length, length};
+  }
+
+  /// Scaled twice: neither the product nor its square under- or overflows.
+  [[gnu::cold, gnu::noinline]] BallPoint OnBallOfAnySize(const Vector<S, L>& direction) const {
     const S direction_scale = direction.cwiseAbs().maxCoeff();
     if (!(direction_scale > 0)) return {Vector<S, L>::Zero(), 0};
     Vector<S, L> point = semi_axes_.cwiseProduct(direction / direction_scale);

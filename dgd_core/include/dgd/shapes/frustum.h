@@ -45,6 +45,11 @@ class Frustum {
   /// The centroid.
   Vector3<S> Center() const { return {0, 0, center_z_}; }
   S Inradius() const { return inradius_; }
+  /// See SpreadCore.
+  auto Spread() const {
+    const S radius = std::max(base_radius_, top_radius_);
+    return SpreadOfExtents<S, 3>({radius, radius, height_ / 2});
+  }
 
   /// Largest <direction, x> over the core.
   S SupportValue(const Vector3<S>& direction) const {

@@ -25,6 +25,8 @@ class Segment {
   /// See CenteredCore.
   void MoveCenterNear(const Vector<S, L>& point) { center_ = std::clamp(point[L - 1], -half_length_, half_length_); }
   S Inradius() const { return 0; }
+  /// See SpreadCore.
+  auto Spread() const { return SpreadOfExtents<S, L>(Vector<S, L>::Unit(L - 1) * half_length_); }
 
   Vector<S, L> Vertex(VertexId end) const { return OnAxis(end == 0 ? half_length_ : -half_length_); }
   VertexId VertexCount() const { return 2; }
