@@ -89,7 +89,7 @@ const std::vector<IterationVariant>& IterationVariants() {
     summed.known_points = false;
     dgd::Settings<double> creeping = no_walk;
     creeping.half_way_cuts = false;
-    dgd::Settings<double> along_ray = no_walk;
+    dgd::Settings<double> along_ray;
     along_ray.likely_start = false;
     return std::vector<IterationVariant>{{"cold", usual, Start::kCold, true},
                                          {"warm", usual, Start::kWarm, true},

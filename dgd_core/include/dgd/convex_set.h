@@ -180,7 +180,7 @@ class CoreReference {
   }
   FeatureId PieceCount() const requires SmoothCore<CoreType> { return core_->PieceCount(); }
   auto FaceNormal(FeatureId piece) const requires FacedCore<CoreType> { return core_->FaceNormal(piece); }
-  auto Spread() const requires SpreadCore<CoreType> { return core_->Spread(); }
+  decltype(auto) Spread() const requires SpreadCore<CoreType> { return core_->Spread(); }
   Scalar SupportValue(const VectorOf<CoreType>& direction) const { return core_->SupportValue(direction); }
   Scalar Distance(const VectorOf<CoreType>& point) const { return core_->Distance(point); }
   template <class Face>

@@ -44,7 +44,7 @@ struct Settings {
   bool rounding = true;       ///< Radii kept apart from the cores (ray/inner_approximation.h).
   bool facet_walk = true;     ///< Polytopes' shorter way (ray/facet_walk.h).
   bool known_points = true;   ///< Support points of the two sets combined anew (ray/known_points.h).
-  bool likely_start = true;   ///< Curved cores' first normal is guessed (LikelyNormal() in ray/minkowski_difference.h).
+  bool likely_start = true;   ///< First directions by the sets' spread (SpreadCore in convex_set.h).
   bool half_way_cuts = true;  ///< On curved cores, between two normals (NormalBetween() in ray/ray_intersection.h).
 };
 

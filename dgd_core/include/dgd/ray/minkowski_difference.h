@@ -150,25 +150,20 @@ class MinkowskiDifference {
   /// A guess at the normal by which the ray leaves: of the ellipsoid whose matrix is the sum of the cores' spreads, and
   /// of the radii squared. That of a p for a matrix M is M^-1 p: here, along M's last row of cofactors. Ray frame, unit
   /// length, not downwards.
-  Point LikelyNormal() const {
+  Point LikelyNormal() const requires(L == 3) {
     const S radius = set_1_.radius + set_2_.radius;
-    Eigen::Matrix<S, L, L - 1> columns = radius * radius * Eigen::Matrix<S, L, L - 1>::Identity();
+    Eigen::Matrix<S, 3, 2> columns = radius * radius * Eigen::Matrix<S, 3, 2>::Identity();
     const auto add = [&](const auto& spread, const Matrix& to_frame) {
-      columns += to_frame * (spread * to_frame.template topRows<L - 1>().transpose());
+      columns += to_frame * (spread * to_frame.template topRows<2>().transpose());
     };
     add(SpreadOf(set_1_.core), to_frame_1_);
     add(SpreadOf(set_2_.core), to_frame_2_);
-    const S size = columns.topRows(L - 1).trace();
-    if (!(size > 0)) return Point::Unit(L - 1);
+    const S size = columns.template topRows<2>().trace();
+    if (!(size > 0)) return Point::UnitZ();
     columns /= size;
-    Point normal;
-    if constexpr (L == 3) {
-      normal = columns.col(0).cross(columns.col(1));
-    } else {
-      normal << -columns(1, 0), columns(0, 0);
-    }
+    const Point normal = columns.col(0).cross(columns.col(1));
     const S length = normal.norm();
-    return length > 0 && normal[L - 1] > 0 ? Point(normal / length) : Point(Point::Unit(L - 1));
+    return length > 0 && normal.z() > 0 ? Point(normal / length) : Point(Point::UnitZ());
   }
 
   /// Radius of the ball that is kept apart from the support points, metres; 0 if they include it.

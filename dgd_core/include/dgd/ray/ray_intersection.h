@@ -243,9 +243,9 @@ class RayIntersection {
     return FirstNormal();
   }
 
-  /// Without any state. Alg. 1 begins along the ray.
+  /// Without any state. Alg. 1 begins along the ray. A guess takes longer than it saves in the plane, and for hulls.
   Point FirstNormal() const {
-    if constexpr (Difference::kIsSmooth) {
+    if constexpr (Difference::kIsSmooth && L == 3) {
       if (settings_.likely_start) return difference_.LikelyNormal();
     }
     return inner_.Normal();

@@ -33,7 +33,10 @@ class Dsf {
   /// Throws std::invalid_argument otherwise.
   Dsf(std::span<const Eigen::Vector3d> points, double exponent) : Dsf(BuildConvexHull(points), exponent) {}
   Dsf(const ConvexHull& hull, double exponent)
-      : exponent_(exponent), origin_(hull.center), inradius_(InradiusOfRounded<S>(hull)) {
+      : exponent_(exponent),
+        origin_(hull.center),
+        inradius_(InradiusOfRounded<S>(hull)),
+        spread_(SpreadOfVertices(hull).template cast<S>()) {
     if (!(std::isfinite(exponent) && exponent > 2)) {
       throw std::invalid_argument("dsf exponent must be finite and > 2; got " + std::to_string(exponent));
     }
@@ -59,6 +62,8 @@ class Dsf {
   /// The polytope's centroid.
   Vector3<S> Center() const { return origin_.template cast<S>(); }
   S Inradius() const { return inradius_; }
+  /// See SpreadCore.
+  const Matrix3<S>& Spread() const { return spread_; }
 
   /// Largest <direction, x> over the core.
   S SupportValue(const Vector3<S>& direction) const {
@@ -151,6 +156,7 @@ class Dsf {
   double exponent_;
   Eigen::Vector3d origin_;
   S inradius_;
+  Matrix3<S> spread_;
   std::vector<Eigen::Vector3d> offsets_;
 };
 

@@ -79,13 +79,16 @@ class Ellipsoid {
     return {point / length, length};
   }
 
-  /// Scaled twice: neither the product nor its square under- or overflows.
+  /// Scaled twice: neither the product nor its square under- or overflows. By powers of two: no digit depends on it.
   [[gnu::cold, gnu::noinline]] BallPoint OnBallOfAnySize(const Vector<S, L>& direction) const {
-    const S direction_scale = direction.cwiseAbs().maxCoeff();
-    if (!(direction_scale > 0)) return {Vector<S, L>::Zero(), 0};
+    const auto power_near = [](S size) { return std::ldexp(S(1), std::ilogb(size)); };
+    const S longest = direction.cwiseAbs().maxCoeff();
+    if (!(longest > 0)) return {Vector<S, L>::Zero(), 0};
+    const S direction_scale = power_near(longest);
     Vector<S, L> point = semi_axes_.cwiseProduct(direction / direction_scale);
-    const S scale = point.cwiseAbs().maxCoeff();
-    if (!(scale > 0)) return {Vector<S, L>::Zero(), 0};
+    const S largest = point.cwiseAbs().maxCoeff();
+    if (!(largest > 0)) return {Vector<S, L>::Zero(), 0};
+    const S scale = power_near(largest);
     point /= scale;
     const S length = point.norm();
     return {point / length, length * scale * direction_scale};

@@ -25,6 +25,17 @@ S InradiusOfRounded(const ConvexHull& hull) {
   return static_cast<S>(std::max(0.0, hull.inradius - kVertexRounding * LargestCoordinate(hull)));
 }
 
+/// About the centre, of the ellipsoid whose border has the vertices' moments: theirs times the dimension. Square
+/// metres.
+inline Eigen::Matrix3d SpreadOfVertices(const ConvexHull& hull) {
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3d& vertex : hull.vertices) {
+    const Eigen::Vector3d from_center = vertex - hull.center;
+    moments += from_center * from_center.transpose();
+  }
+  return 3 / static_cast<double>(hull.vertices.size()) * moments;
+}
+
 /// Largest <direction, x> over the hull's vertices.
 inline double SupportValueOf(const ConvexHull& hull, const Eigen::Vector3d& direction) {
   double highest = -std::numeric_limits<double>::infinity();

@@ -32,7 +32,8 @@ class Polytope {
         climb_(MustClimb(hull_) ? VertexClimb<S>(hull_) : VertexClimb<S>()),
         scan_(climb_.IsEmpty() ? hull_.vertices : Vertices()),
         center_(hull_.center.template cast<S>()),
-        inradius_(InradiusOfRounded<S>(hull_)) {}
+        inradius_(InradiusOfRounded<S>(hull_)),
+        spread_(SpreadOfVertices(hull_).template cast<S>()) {}
 
   SupportPoint<S> Support(const Vector3<S>& direction) const { return Support(direction, kNoFeature); }
   /// @param hint  A vertex that is likely to be near, for large hulls; any number will do.
@@ -42,6 +43,8 @@ class Polytope {
   }
   const Vector3<S>& Center() const { return center_; }
   S Inradius() const { return inradius_; }
+  /// See SpreadCore.
+  const Matrix3<S>& Spread() const { return spread_; }
 
   Vector3<S> Vertex(VertexId vertex) const { return hull_.vertices[vertex].template cast<S>(); }
   VertexId VertexCount() const { return static_cast<VertexId>(hull_.vertices.size()); }
@@ -73,6 +76,7 @@ class Polytope {
   PointArrays<S> scan_;
   Vector3<S> center_;
   S inradius_;
+  Matrix3<S> spread_;
 };
 
 }  // namespace dgd

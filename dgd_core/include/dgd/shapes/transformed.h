@@ -68,6 +68,8 @@ class Transformed {
   }
   VectorS Center() const { return Image(VectorS(core_.Center())); }
   S Inradius() const { return inradius_; }
+  /// See SpreadCore.
+  MatrixS Spread() const requires SpreadCore<CoreType> { return linear_ * core_.Spread() * linear_.transpose(); }
 
   VectorS Vertex(VertexId vertex) const requires VertexCore<CoreType> { return Image(VectorS(core_.Vertex(vertex))); }
   VertexId VertexCount() const requires VertexCore<CoreType> { return core_.VertexCount(); }
