@@ -23,6 +23,7 @@ class CoreQuestions {
   virtual dgd::SupportPoint<S, L> Support(const Point& direction, dgd::FeatureId hint) const = 0;
   virtual Point Center() const = 0;
   virtual S Inradius() const = 0;
+  virtual dgd::SquareMatrix<S, L> Spread() const = 0;
   virtual dgd::FeatureId FeatureCount() const = 0;
   virtual dgd::CurvedPoint<S, L> FeatureSupport(dgd::FeatureId feature, const Point& direction) const = 0;
   virtual Point FaceNormal(dgd::FeatureId piece) const = 0;
@@ -53,6 +54,7 @@ class CoreAnswers final : public CoreQuestions<typename Core::Scalar, dgd::kDime
   }
   Point Center() const override { return core_.Center(); }
   S Inradius() const override { return core_.Inradius(); }
+  dgd::SquareMatrix<S, L> Spread() const override { return dgd::SpreadOf(core_); }
   dgd::FeatureId FeatureCount() const override {
     if constexpr (dgd::SmoothCore<Core>) {
       return core_.PieceCount();
@@ -100,6 +102,7 @@ class ErasedCore {
   }
   Point Center() const { return core_->Center(); }
   Scalar Inradius() const { return core_->Inradius(); }
+  dgd::SquareMatrix<Scalar, L> Spread() const { return core_->Spread(); }
   Scalar SupportValue(const Point& direction) const { return core_->SupportValue(direction); }
   Scalar Distance(const Point& point) const { return core_->Distance(point); }
 
