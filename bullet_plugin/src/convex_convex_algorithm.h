@@ -2,8 +2,9 @@
 //
 // The contract (read from Bullet 3.24, btConvexConvexAlgorithm and btManifoldResult): a manifold is taken from the
 // construction info if there is one and not owned then, else made at first need, also without contact, and released
-// with the pair; points leave through addContactPoint() only; the normal points from B to A, A and B in the order of
-// the call; the depth is the signed distance after margins.
+// with the pair; points leave through addContactPoint(), and those that go on in the pair's own manifold are left as
+// that would leave them (manifold_writer.h); the normal points from B to A, A and B in the order of the call; the depth
+// is the signed distance after margins.
 #pragma once
 
 #include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
