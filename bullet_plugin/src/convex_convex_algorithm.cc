@@ -230,11 +230,13 @@ void ConvexConvexAlgorithm::FindNormal(Query& query) {
                  warm_start_, query.facing, query.result);
   if (query.is_by_last_normal) return;
   face_holder_ = dgd::FaceHolder::kNone;
-  MoveCentersTogether(query.shape_a, query.shape_b);
   const bool has_followed = query.wants_least && may_be_apart_ &&
                             FollowDistance(query.shape_a, query.shape_b, query.settings, warm_start_, query.result);
   query.has_growth_distance = !has_followed;
-  if (!has_followed) query.result = SolvePair(query.shape_a, query.shape_b, query.settings, warm_start_);
+  if (!has_followed) {
+    MoveCentersTogether(query.shape_a, query.shape_b);
+    query.result = SolvePair(query.shape_a, query.shape_b, query.settings, warm_start_);
+  }
   may_be_apart_ = has_followed || query.result.status == dgd::Status::kSeparated || query.result.separation > 0;
 }
 
@@ -243,7 +245,7 @@ dgd::ContactPatch<double> ConvexConvexAlgorithm::FindContactPatch(Query& query) 
   if (result.status == dgd::Status::kSeparated) return {};
   if (!(result.separation <= query.contact_distance)) {
     // As FindNormal() does before it asks for a growth distance, which the sweep's planes come from.
-    if (query.is_by_last_normal) MoveCentersTogether(query.shape_a, query.shape_b);
+    if (!query.has_growth_distance) MoveCentersTogether(query.shape_a, query.shape_b);
     if (!TouchWithinStep(query.shape_a, query.shape_b, result, warm_start_, query.motion)) return {};
   }
   if (query.wants_least && query.has_growth_distance) {

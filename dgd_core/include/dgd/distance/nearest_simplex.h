@@ -75,10 +75,32 @@ class NearestSimplex {
            std::ranges::all_of(parts, [](S part) { return part < 0; });
   }
 
+  /// Adds one of three points at most; to be followed by Reduce().
+  void Append(const Feature& added) { points_[size_++] = added; }
+  /// Finds the nearest point, and drops the points without weight.
+  void Reduce() {
+    std::array<S, 3> weights{1};
+    if (size_ == 3) {
+      weights = WeightsOfNearest<S>(points_[0].point, points_[1].point, points_[2].point);
+    } else if (size_ == 2) {
+      weights[1] = WeightOfSecond<S>(points_[0].point, points_[1].point);
+      weights[0] = 1 - weights[1];
+    }
+    const std::size_t size = size_;
+    size_ = 0;
+    nearest_.setZero();
+    for (std::size_t i = 0; i < size; ++i) {
+      if (!(weights[i] > 0)) continue;
+      nearest_ += weights[i] * points_[i].point;
+      if (size_ != i) points_[size_] = points_[i];
+      weights_[size_++] = weights[i];
+    }
+  }
+
   /// Adds a point, and keeps what of the hull of all is nearest to the origin and has that point.
   void Add(const Feature& added) {
     if (size_ < 3) {
-      points_[size_++] = added;
+      Append(added);
       Reduce();
       return;
     }
@@ -127,26 +149,6 @@ class NearestSimplex {
 
  private:
   Vector3<S> Side(std::size_t to) const { return points_[to].point - points_[0].point; }
-
-  /// Finds the nearest point, and drops the points without weight.
-  void Reduce() {
-    std::array<S, 3> weights{1};
-    if (size_ == 3) {
-      weights = WeightsOfNearest<S>(points_[0].point, points_[1].point, points_[2].point);
-    } else if (size_ == 2) {
-      weights[1] = WeightOfSecond<S>(points_[0].point, points_[1].point);
-      weights[0] = 1 - weights[1];
-    }
-    const std::size_t size = size_;
-    size_ = 0;
-    nearest_.setZero();
-    for (std::size_t i = 0; i < size; ++i) {
-      if (!(weights[i] > 0)) continue;
-      nearest_ += weights[i] * points_[i].point;
-      if (size_ != i) points_[size_] = points_[i];
-      weights_[size_++] = weights[i];
-    }
-  }
 
   std::array<Feature, 3> points_;
   std::array<S, 3> weights_{};

@@ -11,8 +11,8 @@
 //    an inner approximation all around tells the least of them: an expanding polytope. Its nearest face bounds the
 //    depth from below, supporting planes from above; the best of these, from the growth distance on, says which faces
 //    need no look.
-//  * Frames. Of polytopes whose cores stay apart, the last nearest simplex is where the next search starts, and most
-//    often ends: no growth distance is needed in between.
+//  * Frames. While cores stay apart, the last normal is where the next search starts: no growth distance is needed in
+//    between. Of polytopes, the last nearest simplex is (apart_search.h).
 //  * Curves. The inner approximation of a curved set alone converges linearly. So there are Newton's steps in between,
 //    as long as they gain: on all pieces that the simplex is on (kink_step.h), or on the one that a plane met
 //    (normal_step.h). A deep overlap may ask for more points than the expanding polytope has room for: then it is begun
@@ -67,19 +67,15 @@ class SignedDistanceSearch {
     return Approach();
   }
 
-  /// For sets whose cores are apart: polytopes from where the last search ended, others from its normal, or the line of
-  /// the centres.
-  /// @return kOptimal or kSeparated; anything else if they are not apart, or there is no state.
-  Status SolveApart(const WarmStart<S>& last) {
+  /// For sets whose cores are apart, from where the last search ended, or from the line of the centres. Polytopes have
+  /// a search of their own for this: apart_search.h.
+  /// @return kOptimal or kSeparated; anything else if they are not apart.
+  Status SolveApart(const WarmStart<S>& last) requires(!Difference::kIsPolytope) {
     if (!difference_.IsValid()) return Status::kInvalidInput;
     is_apart_ = true;
-    AddBasis(last);
-    if (simplex_.Size() == 0) {
-      if constexpr (Difference::kIsPolytope) return Status::kStalled;
-      const bool is_known = last.normal_1.squaredNorm() > S(0.5);  // Else it is zero.
-      simplex_.Add(Cut(is_known ? difference_.DirectionToFrame(last.normal_1).normalized() : Point(Point::UnitZ())));
-      if (Separation() > settings_.separation_limit) return Status::kSeparated;
-    }
+    const bool is_known = last.normal_1.squaredNorm() > S(0.5);  // Else it is zero.
+    simplex_.Add(Cut(is_known ? difference_.DirectionToFrame(last.normal_1).normalized() : Point(Point::UnitZ())));
+    if (Separation() > settings_.separation_limit) return Status::kSeparated;
     return Approach();
   }
 
