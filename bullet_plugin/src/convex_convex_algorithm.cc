@@ -354,7 +354,8 @@ bool ConvexConvexAlgorithm::MeetsEarly(const btCollisionObject& object_0, const 
 void ConvexConvexAlgorithm::WriteContacts(const dgd::ContactPatch<double>& patch, const Vector3& normal,
                                           btManifoldResult& output) {
   if (!owns_manifold_) {
-    WritePatch(patch, normal, output);
+    const double equal_depth = kEqualDepth * double(manifold_->getContactBreakingThreshold());
+    AddToShared(patch, normal, equal_depth, output);
     return;
   }
   if (patch.size == 0 && manifold_->getNumContacts() == 0) return;  // As most pairs of a broadphase, step after step.

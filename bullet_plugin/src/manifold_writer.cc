@@ -202,6 +202,28 @@ void WriteThroughBullet(const dgd::ContactPatch<double>& patch, const Vector3& n
   DropPointsNotFinite(manifold);
 }
 
+/// Points that were not there in the last step.
+int CountAdded(const btPersistentManifold& manifold) {
+  int added = 0;
+  for (int i = 0; i < manifold.getNumContacts(); ++i) added += manifold.getContactPoint(i).getLifeTime() == 0;
+  return added;
+}
+
+/// Whether none of the manifold's points is as deep.
+bool IsDeepest(double separation, const btPersistentManifold& manifold) {
+  for (int i = 0; i < manifold.getNumContacts(); ++i) {
+    if (!(separation < double(manifold.getContactPoint(i).getDistance()))) return false;
+  }
+  return true;
+}
+
+/// Whether the first point of a patch continues one of the manifold's.
+bool Continues(const dgd::ContactPatch<double>& patch, const Vector3& normal, const btPersistentManifold& manifold) {
+  BulletPatch contacts(patch, normal);
+  contacts.FindContinued(manifold);
+  return contacts.contacts[0].continued != BulletPatch::kNew;
+}
+
 /// Puts the points that carried more in the last step first. Bullet's contact solver goes through a manifold in this
 /// order, and its last word is the last point's: where that is one that carries much, the tilt that each level of a
 /// tower is left with feeds a sway. By measurement (contact_report): the bodies of scenes/tower_20.json move at 90 mm/s
@@ -248,6 +270,23 @@ void UpdateManifold(const dgd::ContactPatch<double>& patch, const Vector3& norma
     WriteThroughBullet(patch, normal, update.drop_stale, output);
   }
   OrderByImpulse(*output.getPersistentManifold());
+}
+
+void AddToShared(const dgd::ContactPatch<double>& patch, const Vector3& normal, double equal_depth,
+                 btManifoldResult& output) {
+  if (patch.size == 0) return;
+  const btPersistentManifold& manifold = *output.getPersistentManifold();
+  const int size = manifold.getNumContacts(), added = CountAdded(manifold);
+  if (size < MANIFOLD_CACHE_SIZE || added == size || IsAskedByApp(output)) {
+    WritePatch(patch, normal, output);
+    return;
+  }
+  dgd::ContactPatch<double> deepest = patch;
+  deepest.size = 1;
+  if (added > 0 || IsDeepest(deepest.points[0].separation + equal_depth, manifold) ||
+      Continues(deepest, normal, manifold)) {
+    WritePatch(deepest, normal, output);
+  }
 }
 
 void DropPointsNotFinite(btPersistentManifold& manifold) {
