@@ -209,12 +209,37 @@ int CountAdded(const btPersistentManifold& manifold) {
   return added;
 }
 
-/// Whether none of the manifold's points is as deep.
-bool IsDeepest(double separation, const btPersistentManifold& manifold) {
-  for (int i = 0; i < manifold.getNumContacts(); ++i) {
-    if (!(separation < double(manifold.getContactPoint(i).getDistance()))) return false;
+int DeepestOf(const btPersistentManifold& manifold) {
+  int deepest = 0;
+  for (int i = 1; i < manifold.getNumContacts(); ++i) {
+    if (manifold.getContactPoint(i).getDistance() < manifold.getContactPoint(deepest).getDistance()) deepest = i;
   }
-  return true;
+  return deepest;
+}
+
+/// A measure of what four points span, whatever their order: twice the area of a quadrilateral, square metres.
+btScalar Span(const std::array<btVector3, MANIFOLD_CACHE_SIZE>& points) {
+  const auto [a, b, c, d] = points;
+  return std::max({(a - b).cross(c - d).length(), (a - c).cross(b - d).length(), (a - d).cross(b - c).length()});
+}
+
+/// Whether a point on body B, world, spans clearly more with three points of a full manifold than all four do. The
+/// deepest stays, as in Bullet's own choice.
+bool Widens(const btVector3& point_on_b, const btPersistentManifold& manifold) {
+  constexpr btScalar kClearly = btScalar(1.2);  // Each gain is one of few: a mesh's points do not take turns.
+  std::array<btVector3, MANIFOLD_CACHE_SIZE> points;
+  for (int i = 0; i < MANIFOLD_CACHE_SIZE; ++i) {
+    points[static_cast<std::size_t>(i)] = manifold.getContactPoint(i).m_positionWorldOnB;
+  }
+  const btScalar enough = kClearly * Span(points);
+  const int deepest = DeepestOf(manifold);
+  for (int i = 0; i < MANIFOLD_CACHE_SIZE; ++i) {
+    if (i == deepest) continue;
+    std::array<btVector3, MANIFOLD_CACHE_SIZE> others = points;
+    others[static_cast<std::size_t>(i)] = point_on_b;
+    if (Span(others) > enough) return true;
+  }
+  return false;
 }
 
 /// Whether the first point of a patch continues one of the manifold's.
@@ -276,15 +301,17 @@ void AddToShared(const dgd::ContactPatch<double>& patch, const Vector3& normal, 
                  btManifoldResult& output) {
   if (patch.size == 0) return;
   const btPersistentManifold& manifold = *output.getPersistentManifold();
-  const int size = manifold.getNumContacts(), added = CountAdded(manifold);
-  if (size < MANIFOLD_CACHE_SIZE || added == size || IsAskedByApp(output)) {
+  const int size = manifold.getNumContacts();
+  if (size < MANIFOLD_CACHE_SIZE || CountAdded(manifold) == size || IsAskedByApp(output)) {
     WritePatch(patch, normal, output);
     return;
   }
   dgd::ContactPatch<double> deepest = patch;
   deepest.size = 1;
-  if (added > 0 || IsDeepest(deepest.points[0].separation + equal_depth, manifold) ||
-      Continues(deepest, normal, manifold)) {
+  const dgd::ContactPoint<double>& point = deepest.points[0];
+  const auto of_manifold = double(manifold.getContactPoint(DeepestOf(manifold)).getDistance());
+  if (point.separation + equal_depth < of_manifold || Continues(deepest, normal, manifold) ||
+      Widens(ToBullet(point.on_2), manifold)) {
     WritePatch(deepest, normal, output);
   }
 }

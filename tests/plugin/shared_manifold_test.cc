@@ -33,10 +33,11 @@ class BoxOnMesh {
     mesh_ = std::make_unique<btBvhTriangleMeshShape>(&triangles_, true);
     ground_ = MakeRigidBody(*mesh_, 0, btTransform::getIdentity());
     Random random(static_cast<unsigned>(seed));
-    const auto half = [&] { return random.Uniform(0.2, 0.5); };
-    box_ = std::make_unique<btBoxShape>(Vec(half(), half(), half()));
+    const Eigen::Vector3d size = random.InCube(), place = 2 * random.InCube();
+    const auto half = [&](int axis) { return 0.35 + 0.15 * size[axis]; };
+    box_ = std::make_unique<btBoxShape>(Vec(half(0), half(1), half(2)));
     const btQuaternion turn(Vec(0, 0, 1), btScalar(random.Uniform(0, 6)));
-    body_ = MakeRigidBody(*box_, 10, btTransform(turn, Vec(random.Uniform(-2, 2), random.Uniform(-2, 2), 1.5)));
+    body_ = MakeRigidBody(*box_, 10, btTransform(turn, Vec(place.x(), place.y(), 1.5)));
     body_->setSleepingThresholds(0, 0);
     world_.setGravity(Vec(0, 0, -10));
     world_.addRigidBody(ground_.get());
@@ -103,7 +104,7 @@ struct Figures {
 };
 
 Figures Simulate(Route route, double bumps) {
-  constexpr int kBoxes = 20, kSteps = 600, kLanding = 60, kLying = 360;
+  constexpr int kBoxes = 40, kSteps = 600, kLanding = 60, kLying = 360;
   Figures figures;
   for (int seed = 1; seed <= kBoxes; ++seed) {
     BoxOnMesh world(route, bumps, seed);
@@ -127,9 +128,9 @@ Figures Simulate(Route route, double bumps) {
 void ExpectStillerThanOnTheBuiltin(double bumps) {
   const Figures builtin = Simulate(Route::kBuiltin, bumps), ours = Simulate(Route::kConfiguration, bumps);
   EXPECT_LT(ours.speed, 0.6 * builtin.speed);
-  EXPECT_GT(ours.kept, 0.9);
+  EXPECT_GT(ours.kept, 0.6);
   EXPECT_LT(ours.lying_depth, std::max(1e-3, builtin.lying_depth));
-  EXPECT_LT(ours.landing_depth, 1.25 * builtin.landing_depth);
+  EXPECT_LT(ours.landing_depth, 1.2 * builtin.landing_depth);
 }
 
 TEST(SharedManifold, BoxesOnAFlatMesh_LieStillerThanOnTheBuiltin) { ExpectStillerThanOnTheBuiltin(0); }
