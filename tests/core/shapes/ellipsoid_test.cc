@@ -57,6 +57,15 @@ TEST(Ellipsoid, Distance_IsRightToRoundingNearAndFar) {
   }
 }
 
+// Found by fuzzing, with an axis of 7e-311 m: an infinite distance.
+TEST(Ellipsoid, Distance_OfAxesTooTinyToSquare_IsThatToTheCentre) {
+  const Vector2d point(4.517578125, 3.796875);
+  for (double axis = 1e-20; axis > 0; axis *= 1e-3) {
+    EXPECT_NEAR(dgd::Ellipse<double>({0, axis}).Distance(point), point.norm(), 1e-15) << axis;
+    EXPECT_NEAR(dgd::Ellipse<double>({axis, 2 * axis}).Distance(point), point.norm(), 1e-15) << axis;
+  }
+}
+
 TEST(Ellipsoid, Constructor_RejectsBadAxesNamingThem) {
   ExpectRejected(
       [] {

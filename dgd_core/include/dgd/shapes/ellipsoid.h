@@ -148,7 +148,7 @@ S Ellipsoid<S, L>::Distance(const Vector<S, L>& point) const {
   Vector<double, L> way;
   for (int i = 0; i < L; ++i) {
     const double denominator = low + axes[i] * axes[i];
-    way[i] = denominator > 0 ? low * (x[i] / denominator) : x[i];
+    way[i] = denominator > 0 ? low / denominator * x[i] : x[i];  // Of tiny axes, x / denominator may be no number.
   }
   return static_cast<S>(unit * way.norm());
 }
