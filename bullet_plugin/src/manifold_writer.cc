@@ -202,7 +202,7 @@ void WriteThroughBullet(const dgd::ContactPatch<double>& patch, const Vector3& n
   DropPointsNotFinite(manifold);
 }
 
-/// Points that were not there in the last step.
+/// Points that were not there in the last step: a refresh counts their age.
 int CountAdded(const btPersistentManifold& manifold) {
   int added = 0;
   for (int i = 0; i < manifold.getNumContacts(); ++i) added += manifold.getContactPoint(i).getLifeTime() == 0;
@@ -219,14 +219,16 @@ int DeepestOf(const btPersistentManifold& manifold) {
 
 /// A measure of what four points span, whatever their order: twice the area of a quadrilateral, square metres.
 btScalar Span(const std::array<btVector3, MANIFOLD_CACHE_SIZE>& points) {
-  const auto [a, b, c, d] = points;
+  const auto& [a, b, c, d] = points;
   return std::max({(a - b).cross(c - d).length(), (a - c).cross(b - d).length(), (a - d).cross(b - c).length()});
 }
 
 /// Whether a point on body B, world, spans clearly more with three points of a full manifold than all four do. The
 /// deepest stays, as in Bullet's own choice.
 bool Widens(const btVector3& point_on_b, const btPersistentManifold& manifold) {
-  constexpr btScalar kClearly = btScalar(1.2);  // Each gain is one of few: a mesh's points do not take turns.
+  // So a mesh's points do not take turns. By measurement, of a hundred boxes as in the test SharedManifold: with 1.05
+  // in its place they lie less still by a third, and land no less deep.
+  constexpr btScalar kClearly = btScalar(1.2);
   std::array<btVector3, MANIFOLD_CACHE_SIZE> points;
   for (int i = 0; i < MANIFOLD_CACHE_SIZE; ++i) {
     points[static_cast<std::size_t>(i)] = manifold.getContactPoint(i).m_positionWorldOnB;

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "plugin/triangle_grid.h"
 #include "support/random.h"
 
 namespace dgd_bench {
@@ -166,19 +167,8 @@ btTransform InTheAir(Random& random, int i) {
 }
 
 void BuildHullsOnMesh(BenchWorld& world) {
-  constexpr int kCells = 60;
-  constexpr double kPitch = 0.8;
   auto& mesh = world.Make<btTriangleMesh>();
-  const auto corner = [](int i, int j) {
-    const double x = (i - kCells / 2) * kPitch, y = (j - kCells / 2) * kPitch;
-    return Vec(x, y, Landscape(x, y));
-  };
-  for (int i = 0; i < kCells; ++i) {
-    for (int j = 0; j < kCells; ++j) {
-      mesh.addTriangle(corner(i, j), corner(i + 1, j), corner(i + 1, j + 1));
-      mesh.addTriangle(corner(i, j), corner(i + 1, j + 1), corner(i, j + 1));
-    }
-  }
+  dgd_test::AddGrid(mesh, 60, 0.8, Landscape);
   world.Add(world.Make<btBvhTriangleMeshShape>(&mesh, true), 0, At(Vec(0, 0, 0)));
   world.SetFloor(Landscape);
   Random random(5);

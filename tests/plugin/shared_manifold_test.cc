@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <memory>
 
 #include "plugin/rigid_body.h"
 #include "plugin/test_world.h"
+#include "plugin/triangle_grid.h"
 #include "support/random.h"
 
 namespace dgd_test {
@@ -18,18 +20,7 @@ class BoxOnMesh {
  public:
   /// @param bumps  Height of the mesh's bumps, metres.
   BoxOnMesh(Route route, double bumps, int seed) : bumps_(bumps), dispatching_(route) {
-    constexpr int kCells = 30;
-    constexpr double kPitch = 0.4;
-    const auto corner = [&](int i, int j) {
-      const double x = (i - kCells / 2) * kPitch, y = (j - kCells / 2) * kPitch;
-      return Vec(x, y, Height(x, y));
-    };
-    for (int i = 0; i < kCells; ++i) {
-      for (int j = 0; j < kCells; ++j) {
-        triangles_.addTriangle(corner(i, j), corner(i + 1, j), corner(i + 1, j + 1));
-        triangles_.addTriangle(corner(i, j), corner(i + 1, j + 1), corner(i, j + 1));
-      }
-    }
+    AddGrid(triangles_, 30, 0.4, [this](double x, double y) { return Height(x, y); });
     mesh_ = std::make_unique<btBvhTriangleMeshShape>(&triangles_, true);
     ground_ = MakeRigidBody(*mesh_, 0, btTransform::getIdentity());
     Random random(static_cast<unsigned>(seed));
@@ -54,15 +45,15 @@ class BoxOnMesh {
   double Speed() const { return double(body_->getLinearVelocity().length()); }
   /// Steps, of the youngest of the contacts; 0 without.
   int YoungestContact() {
-    int youngest = 0;
+    constexpr int kNone = std::numeric_limits<int>::max();
+    int youngest = kNone;
     for (int m = 0; m < dispatching_.dispatcher().getNumManifolds(); ++m) {
       const btPersistentManifold& manifold = *dispatching_.dispatcher().getManifoldByIndexInternal(m);
       for (int i = 0; i < manifold.getNumContacts(); ++i) {
-        const int age = manifold.getContactPoint(i).getLifeTime();
-        youngest = i == 0 ? age : std::min(youngest, age);
+        youngest = std::min(youngest, manifold.getContactPoint(i).getLifeTime());
       }
     }
-    return youngest;
+    return youngest == kNone ? 0 : youngest;
   }
   /// Vertical depth of the box's deepest corner below the surface, metres; 0 if none is.
   double Depth() const {
@@ -98,9 +89,9 @@ class BoxOnMesh {
 /// What becomes of some boxes.
 struct Figures {
   double speed = 0;          // m/s, mean over the last four of ten seconds.
-  double landing_depth = 0;  // Metres, the deepest in the first second.
-  double lying_depth = 0;    // ... in the last four.
-  double kept = 0;           // Part of the steps in which no contact is of that step.
+  double landing_depth = 0;  // Metres, each box's deepest in the first second, mean over the boxes.
+  double lying_depth = 0;    // Metres, the deepest of all in the last four.
+  double kept = 0;           // Part of the last four seconds' steps in which no contact is new.
 };
 
 Figures Simulate(Route route, double bumps) {
@@ -125,6 +116,8 @@ Figures Simulate(Route route, double bumps) {
   return figures;
 }
 
+/// Of both precisions and compilers, seen were: speeds of 0.01 to 0.3 of the built-in's, contacts kept in 0.84 of the
+/// steps and more, landings of 0.94 to 1.06 of the built-in's depth.
 void ExpectStillerThanOnTheBuiltin(double bumps) {
   const Figures builtin = Simulate(Route::kBuiltin, bumps), ours = Simulate(Route::kConfiguration, bumps);
   EXPECT_LT(ours.speed, 0.6 * builtin.speed);

@@ -40,8 +40,8 @@ struct SignedDistanceResult {
 namespace signed_distance_internal {
 /// How FollowDistance() works.
 template <class Set1, class Set2>
-using SearchApart = std::conditional_t<MinkowskiDifference<Set1, Set2>::kIsPolytope, ApartSearch<Set1, Set2>,
-                                       SignedDistanceSearch<Set1, Set2>>;
+using FollowSearch = std::conditional_t<MinkowskiDifference<Set1, Set2>::kIsPolytope, ApartSearch<Set1, Set2>,
+                                        SignedDistanceSearch<Set1, Set2>>;
 
 template <class Search>
 void Report(const Search& search, SignedDistanceResult<typename Search::S>& result) {
@@ -97,7 +97,7 @@ template <class Set1, class Set2>
 [[gnu::flatten]] SignedDistanceResult<typename Set1::Scalar> FollowDistance(
     const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2, const PoseOf<Set1>& pose_2,
     const Settings<typename Set1::Scalar>& settings, WarmStartOf<Set1>& state) {
-  signed_distance_internal::SearchApart<Set1, Set2> search(set_1, pose_1, set_2, pose_2, settings);
+  signed_distance_internal::FollowSearch<Set1, Set2> search(set_1, pose_1, set_2, pose_2, settings);
   SignedDistanceResult<typename Set1::Scalar> result;
   result.status = search.SolveApart(state);
   result.iterations = search.Iterations();

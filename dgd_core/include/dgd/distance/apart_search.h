@@ -49,7 +49,7 @@ class ApartSearch {
       if (simplex_.HoldsOriginWith(support.point)) return Status::kStalled;
       NearestSimplex<S> grown = simplex_;
       grown.Add(support);
-      if (!(grown.Nearest().squaredNorm() < simplex_.Nearest().squaredNorm())) return Status::kStalled;
+      if (!descent_.Continues(simplex_, grown)) return Status::kStalled;
       simplex_ = grown;
     }
   }
@@ -57,12 +57,8 @@ class ApartSearch {
   /// Leaves the simplex, and the normal, for the next search.
   void Remember(Status status, WarmStart<S>& state) const {
     state.normal_1 = normal_in_1_.normalized();  // Rotations in float are not quite orthogonal.
-    state.size = status == Status::kSeparated ? 0 : static_cast<std::int32_t>(simplex_.Size());
-    state.known_size = 0;
-    for (std::size_t i = 0; i < simplex_.Size(); ++i) {
-      state.features_1[i] = simplex_[i].feature_1;
-      state.features_2[i] = simplex_[i].feature_2;
-    }
+    simplex_.Leave(state);
+    if (status == Status::kSeparated) state.size = 0;
   }
 
   int Iterations() const { return iterations_; }
@@ -87,7 +83,7 @@ class ApartSearch {
     simplex_.Reduce();
   }
 
-  /// A point of set 1 from one of set 2, both about set 1's origin.
+  /// The difference of two points of the cores' frames, about the origins' own difference; in the world's axes.
   Feature Difference(const SupportPoint<S>& on_1, const SupportPoint<S>& on_2) {
     Feature difference;
     difference.on_1.noalias() = pose_1_.rotation * on_1.point;
@@ -119,7 +115,7 @@ class ApartSearch {
   bool HasFinitePoses() const {
     return std::isfinite(pose_1_.rotation.sum() + pose_2_.rotation.sum() + between_.sum());
   }
-  /// In numbers that the scalar can compute with; false for NaN.
+  /// Whether the cores are, as far as is known and in numbers that the scalar can compute with; false for NaN.
   bool IsApart() const { return nearest_ > Rounding() && nearest_ >= kLeastSize<S> && size_ <= kGreatestSize<S>; }
   bool IsOptimal() const { return nearest_ - apart_ <= Rounding(); }
   /// How far points of the difference may be off, metres: the last digits of points that were turned and moved.
@@ -140,6 +136,7 @@ class ApartSearch {
   // Of the best supporting planes of the cores.
   Point normal_, normal_in_1_;
   S apart_ = -std::numeric_limits<S>::infinity(), on_plane_1_ = 0;
+  Descent<S> descent_;
   int iterations_ = 0;
 };
 

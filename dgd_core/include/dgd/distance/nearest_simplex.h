@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
 
+#include "dgd/query_types.h"
 #include "dgd/ray/minkowski_difference.h"
+#include "dgd/ray/tolerances.h"
 #include "dgd/types.h"
 
 namespace dgd {
@@ -146,6 +149,15 @@ class NearestSimplex {
   /// Convex weight of a point in the nearest one.
   S Weight(std::size_t i) const { return weights_[i]; }
   const Feature& operator[](std::size_t i) const { return points_[i]; }
+  /// Leaves the features of the points for another query.
+  void Leave(WarmStart<S>& state) const {
+    state.size = static_cast<std::int32_t>(size_);
+    state.known_size = 0;
+    for (std::size_t i = 0; i < size_; ++i) {
+      state.features_1[i] = points_[i].feature_1;
+      state.features_2[i] = points_[i].feature_2;
+    }
+  }
 
  private:
   Vector3<S> Side(std::size_t to) const { return points_[to].point - points_[0].point; }
@@ -154,6 +166,26 @@ class NearestSimplex {
   std::array<S, 3> weights_{};
   std::size_t size_ = 0;
   Vector3<S> nearest_ = Vector3<S>::Zero();
+};
+
+/// Whether a search that goes from simplex to simplex gets on. A normal that is off by the root of a rounding makes no
+/// difference to the length, and one to the planes: so, a few times, as near as before is enough.
+template <class S>
+class Descent {
+ public:
+  bool Continues(const NearestSimplex<S>& from, const NearestSimplex<S>& to) {
+    const S before = from.Nearest().squaredNorm(), after = to.Nearest().squaredNorm();
+    if (after < before) return true;
+    return after <= (1 + kAsNear) * before && sideways_++ < kMaxSideways;
+  }
+
+ private:
+  /// Of the squared length, that another nearest point may be longer by, and how often. Of four searches in float that
+  /// stalled 1e-4 m off, in 24 seeds of the test of FollowDistance(), one such step freed all; by one unit, three.
+  static constexpr S kAsNear = 4 * kEpsilon<S>;
+  static constexpr int kMaxSideways = 3;
+
+  int sideways_ = 0;
 };
 
 }  // namespace dgd

@@ -82,12 +82,8 @@ class SignedDistanceSearch {
   /// Leaves the simplex, and the normal, for SolveApart().
   void Remember(Status status, WarmStart<S>& warm_start) const {
     warm_start.normal_1 = difference_.NormalOfSet1(best_.normal);
-    warm_start.size = status == Status::kSeparated ? 0 : static_cast<std::int32_t>(simplex_.Size());
-    warm_start.known_size = 0;
-    for (std::size_t i = 0; i < simplex_.Size(); ++i) {
-      warm_start.features_1[i] = simplex_[i].feature_1;
-      warm_start.features_2[i] = simplex_[i].feature_2;
-    }
+    simplex_.Leave(warm_start);
+    if (status == Status::kSeparated) warm_start.size = 0;
   }
 
   int Iterations() const { return iterations_; }
@@ -257,20 +253,12 @@ class SignedDistanceSearch {
       }
       NearestSimplex<S> grown = simplex_;
       grown.Add(support);
-      if (IsNearer(grown)) {
+      if (descent_.Continues(simplex_, grown)) {
         simplex_ = grown;
       } else if (normal == simplex_.Normal()) {
         return Finish(Status::kStalled, simplex_.Combination());
       }
     }
-  }
-
-  /// Than the simplex so far. A normal that is off by the root of a rounding makes no difference to the length, and one
-  /// to the planes: so a few times, as near is enough.
-  bool IsNearer(const NearestSimplex<S>& grown) {
-    const S before = simplex_.Nearest().squaredNorm(), after = grown.Nearest().squaredNorm();
-    if (after < before) return true;
-    return after <= (1 + kAsNear) * before && sideways_++ < kMaxSideways;
   }
 
   /// The origin is on a feature of K, within rounding: on its border, where the signed distance is 0, or inside.
@@ -417,10 +405,6 @@ class SignedDistanceSearch {
   static constexpr S kUnits = 8;
   /// What is asked for beyond the tolerance: two digits of the points.
   static constexpr S kForPoints = S(1e-4);
-  /// Of the squared length, that another nearest point may be longer by, and how often. Of four searches in float that
-  /// stalled 1e-4 m off, in 24 seeds of the test of FollowDistance(), one such step freed all; by one unit, three.
-  static constexpr S kAsNear = 4 * kEpsilon<S>;
-  static constexpr int kMaxSideways = 3;
   /// A tetrahedron as flat as so many roundings has faces that know where they look.
   static constexpr S kFlat = 1024;
   /// Of a triangle about the best plane: about 30 degrees.
@@ -436,7 +420,8 @@ class SignedDistanceSearch {
   Plane best_;
   S nearest_ = std::numeric_limits<S>::infinity();  // Signed distance of K's inner approximation, metres.
   Feature foot_;                                    // The witness points' difference, without radii.
-  int iterations_ = 0, sideways_ = 0;
+  Descent<S> descent_;
+  int iterations_ = 0;
   bool is_apart_ = false;       // By SolveApart(): ends where the origin turns out to be inside of K.
   bool is_news_ = false;        // No Newton's step was taken from the best plane yet.
   bool is_stationary_ = false;  // The best plane's normal is the best nearby.
