@@ -355,9 +355,19 @@ class FuzzWorld {
     return text.str();
   }
 
+  /// A compound's algorithm is Bullet's, and takes the contacts of its children along with a body that an app moves to
+  /// infinity, before it asks whether they are still near each other.
+  static bool IsRefreshedNowhere(const btPersistentManifold& manifold) {
+    const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
+    const bool are_both_convex = a.getCollisionShape()->isConvex() && b.getCollisionShape()->isConvex();
+    return !are_both_convex &&
+           !(dgd_test::IsFinite(a.getWorldTransform()) && dgd_test::IsFinite(b.getWorldTransform()));
+  }
+
   void Check() {
     for (int i = 0; i < dispatcher_.getNumManifolds(); ++i) {
       const btPersistentManifold& manifold = *dispatcher_.getManifoldByIndexInternal(i);
+      if (IsRefreshedNowhere(manifold)) continue;
       for (int j = 0; j < manifold.getNumContacts(); ++j) {
         if (!dgd_test::IsFinite(manifold.getContactPoint(j))) Fail(Describe(manifold, manifold.getContactPoint(j)));
       }

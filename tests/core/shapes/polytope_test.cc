@@ -57,6 +57,30 @@ TEST(Polytope, SupportFace_ThinsLargeFacetsEvenly) {
   CheckPolytope<double>(points, thinned_sagitta);
 }
 
+// All corners but one are in the plane x = y, and the hull's facets in it are several: a point of one of them, which is
+// outside another's plane by a rounding, is on the border all the same. Found by fuzz_solver.
+TEST(Polytope, Distance_OfAPointOnOneOfSeveralFacetsInAPlane_IsARounding) {
+  constexpr double kFar = 7.090087890625;
+  const std::vector<Vector3d> points = {{kFar, kFar, kFar},
+                                        {-2.886474609375, -2.886474609375, -2.886474609375},
+                                        {kFar, 7.097412109375, kFar},
+                                        {-2.886474609375, -2.886474609375, 0},
+                                        {kFar, kFar, 0.027587890625},
+                                        {0, 0, 7.0625},
+                                        {kFar, kFar, -7.847412109375},
+                                        {-7.84326171875, -7.84326171875, -7.84326171875}};
+  const dgd::Polytope<double> polytope{points};
+  EXPECT_LE(polytope.Distance({6.9273413191610951, 6.9273413191610942, 3.1381923290950153}), 1e-14);
+  Random random(TestSeed());
+  for (int i = 0; i < 1000; ++i) {
+    const double height = random.Uniform(-5, 7);
+    const Vector3d on_border(random.Uniform(5, 7), 0, height);
+    const double y = on_border.x() + random.Uniform(-1, 1) * 1e-15;
+    EXPECT_LE(polytope.Distance({on_border.x(), y, height}), 1e-14) << on_border.transpose();
+  }
+  EXPECT_NEAR(polytope.Distance({6, 5, 0}), std::sqrt(0.5), 1e-14);
+}
+
 TEST(Polytope, SupportFace_OfNoDirectionIsSomeFacet) {
   const dgd::Polytope<double> cube(std::vector<Vector3d>{
       {-1, -1, -1}, {-1, -1, 1}, {-1, 1, -1}, {-1, 1, 1}, {1, -1, -1}, {1, -1, 1}, {1, 1, -1}, {1, 1, 1}});

@@ -50,23 +50,27 @@ inline double DistanceTo(const ConvexHull& hull, const Eigen::Vector3d& point) {
     return (ClosestPointOnTriangle<double>(point, hull.vertices.front(), end, end) - point).norm();
   }
   // Outside at least one facet's plane; the nearest point then lies on one of those facets. Flat hulls have none
-  // inside.
-  double nearest = hull.dimension == 2 ? std::numeric_limits<double>::infinity() : 0;
+  // inside. A point of the border is outside of some planes by rounding alone, and may be on a facet that is in the
+  // same plane but for that: so facets count as well whose planes hold the point nearly.
+  constexpr double kNearly = 1e-6;
+  const double slack =
+      hull.dimension == 2 ? std::numeric_limits<double>::infinity() : kNearly * LargestCoordinate(hull);
+  double nearest = std::numeric_limits<double>::infinity();
   bool outside = hull.dimension == 2;
   for (std::size_t facet = 0; facet < hull.normals.size(); ++facet) {
     const auto begin = static_cast<std::size_t>(hull.facet_start[facet]);
     const auto end = static_cast<std::size_t>(hull.facet_start[facet + 1]);
     const Eigen::Vector3d& first = hull.vertices[hull.facet_vertices[begin]];
-    if (hull.dimension == 3 && hull.normals[facet].dot(point - first) <= 0) continue;
-    if (!outside) nearest = std::numeric_limits<double>::infinity();
-    outside = true;
+    const double above = hull.normals[facet].dot(point - first);
+    outside |= above > 0;
+    if (above <= -slack) continue;
     for (std::size_t i = begin + 1; i + 1 < end; ++i) {
       const Eigen::Vector3d on_facet = ClosestPointOnTriangle<double>(
           point, first, hull.vertices[hull.facet_vertices[i]], hull.vertices[hull.facet_vertices[i + 1]]);
       nearest = std::min(nearest, (on_facet - point).norm());
     }
   }
-  return nearest;
+  return outside ? nearest : 0;
 }
 
 /// Of the facets around `vertex`, the support vertex along `direction`, the one whose normal is nearest to it, or some
