@@ -208,19 +208,32 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObj
     counters->Count(ShapeOf(body_0).getShapeType(), ShapeOf(body_1).getShapeType(),
                     OutcomeOf(result, !query.has_growth_distance, patch.size));
   }
-  if (is_swapped) {
-    Swap(patch, result);
-    std::swap(body_0, body_1);
-  }
+  if (is_swapped) Swap(patch, result);
   if (WantsContacts(info.m_debugDraw)) DrawContacts(patch, result, *info.m_debugDraw);
   WriteContacts(patch, result.normal, output);
   // Bodies that do not touch may be given a speed that makes them.
-  if (had_contact_ && query.motion.IsWithin(RestingDistance(query.breaking_threshold))) RememberRest(*body_0, *body_1);
+  if (had_contact_ && IsCalm(query.motion)) RememberRest(*body_0, *body_1);
   return std::nullopt;
 } catch (const std::bad_alloc&) {
   return Fallback::kNoMemory;  // For a hull.
 } catch (const std::exception&) {
   return Fallback::kInvalid;  // A shape that is not one: NaN or infinite sizes, no points.
+}
+
+dgd::FaceHolder ConvexConvexAlgorithm::FaceUnderContacts() const {
+  // On fewer a body rolls, and is pushed on by points that turn with it.
+  constexpr int kFewest = 3;
+  if (manifold_->getNumContacts() < kFewest) return dgd::FaceHolder::kNone;
+  // Where edges of two faces cross that are nearly parallel, the normal is neither's, and turns with both.
+  return face_holder_ != dgd::FaceHolder::kNone ? face_holder_ : dgd::FaceHolder::kSet1;
+}
+
+bool ConvexConvexAlgorithm::IsCalm(const PairMotion& motion) const {
+  const auto breaking_threshold = double(manifold_->getContactBreakingThreshold());
+  return motion.IsWithin(RestingDistance(breaking_threshold)) ||
+         (FaceUnderContacts() != dgd::FaceHolder::kNone &&
+          motion.IsTogetherWithin(FromBullet(manifold_->getContactPoint(0).m_positionWorldOnB),
+                                  RestingDistanceOnFace(breaking_threshold)));
 }
 
 void ConvexConvexAlgorithm::FindNormal(Query& query) {
@@ -270,9 +283,10 @@ bool ConvexConvexAlgorithm::StaysAtRest(const btCollisionObjectWrapper& body_0, 
                                         const btDispatcherInfo& info, btManifoldResult& output) {
   // An app that asks wants to see each contact anew, as a debug drawer does.
   if (!is_resting_ || WantsContacts(info.m_debugDraw) || IsAskedByApp(output)) return false;
-  const auto& hull_0 = was_swapped_ ? hull_1_ : hull_0_;
-  const auto& hull_1 = was_swapped_ ? hull_0_ : hull_1_;
-  if (!resting_->IsAsItWas(body_0, body_1, *manifold_, hull_0, hull_1)) return false;
+  const btCollisionObjectWrapper &body_a = was_swapped_ ? body_1 : body_0, &body_b = was_swapped_ ? body_0 : body_1;
+  const RestingPair::Since since = resting_->Compare(body_a, body_b, *manifold_, hull_0_, hull_1_);
+  if (since == RestingPair::Since::kChanged) return false;
+  if (since == RestingPair::Since::kMovedTogether) resting_->Follow(body_a, body_b, *manifold_);
   if (narrowphase_.options().friction_anchors) HoldKept(*manifold_);
   KeepContacts(*manifold_, output);
   if (PairCounters* counters = narrowphase_.pair_counters()) {
@@ -316,15 +330,15 @@ double ConvexConvexAlgorithm::ContactDistance(const btManifoldResult& output) co
          double(output.m_closestPointDistanceThreshold);
 }
 
-void ConvexConvexAlgorithm::RememberRest(const btCollisionObjectWrapper& body_0,
-                                         const btCollisionObjectWrapper& body_1) {
+void ConvexConvexAlgorithm::RememberRest(const btCollisionObjectWrapper& body_a,
+                                         const btCollisionObjectWrapper& body_b) {
   const Options& options = narrowphase_.options();
+  const dgd::FaceHolder holder = FaceUnderContacts();
   // Where the options say that contacts come from this step's poses alone, none are kept from an earlier one.
-  const double distance = RestingDistance(double(manifold_->getContactBreakingThreshold()));
   is_resting_ = options.keep_resting_contacts && owns_manifold_ && options.contact_patch && options.warm_start &&
-                RestingPair::CanTell(body_0, body_1, distance);
+                RestingPair::CanTell(body_a, body_b, double(manifold_->getContactBreakingThreshold()), holder);
   if (!is_resting_) return;
-  const RestingPair resting(body_0, body_1, *manifold_);
+  const RestingPair resting(body_a, body_b, *manifold_, holder);
   if (resting_ != nullptr) {
     *resting_ = resting;
   } else {

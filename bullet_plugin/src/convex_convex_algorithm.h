@@ -77,8 +77,14 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   /// Not farther apart than this, bodies have contacts; metres.
   double ContactDistance(const btManifoldResult& output) const;
 
+  /// With whose face the contacts' normal turns, if any.
+  dgd::FaceHolder FaceUnderContacts() const;
+
+  /// Whether a pair with contacts will be nearly as it is after the step.
+  bool IsCalm(const PairMotion& motion) const;
+
   /// Notes what the contacts have been found for, if the options say that they are kept.
-  void RememberRest(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1);
+  void RememberRest(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b);
 
   /// Makes the last query's state this one's start: none if the options say so, else in the order that the shapes are
   /// solved in now.

@@ -63,12 +63,13 @@ inline void Hold(btManifoldPoint& point, const btVector3& slip, const btTransfor
   point.m_contactPointFlags |= BT_CONTACT_FLAG_FRICTION_ANCHOR;
 }
 
-/// For a manifold whose points have been kept, not found anew: those that stuck in the last step are held where they
-/// were found.
+/// For a manifold whose points have been kept, not found anew, of bodies that Bullet itself anchors nothing on: those
+/// that stuck in the last step are held where they were found, and no others.
 inline void HoldKept(btPersistentManifold& manifold) {
   if (manifold.getNumContacts() < kFewestAnchors) return;
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     btManifoldPoint& point = manifold.getContactPoint(i);
+    point.m_contactPointFlags &= ~BT_CONTACT_FLAG_FRICTION_ANCHOR;
     if (CanBeAnchored(point) && Sticks(point)) point.m_contactPointFlags |= BT_CONTACT_FLAG_FRICTION_ANCHOR;
   }
 }

@@ -251,10 +251,15 @@ bool Continues(const dgd::ContactPatch<double>& patch, const Vector3& normal, co
   return contacts.contacts[0].continued != BulletPatch::kNew;
 }
 
-/// Puts the points that carried more in the last step first. Bullet's contact solver goes through a manifold in this
-/// order, and its last word is the last point's: where that is one that carries much, the tilt that each level of a
-/// tower is left with feeds a sway. By measurement (contact_report): the bodies of scenes/tower_20.json move at 90 mm/s
-/// without this, at 1.4 with it (float; double 94, 0.5; no resting contacts kept).
+/// An app's own result has its own way with contacts, and Bullet has with points that it anchors.
+bool HasOwnWay(const btManifoldResult& output) {
+  const btCollisionObject &body_0 = *output.getBody0Internal(), &body_1 = *output.getBody1Internal();
+  return IsAskedByApp(output) || output.getPersistentManifold()->getBody0() != &body_0 ||
+         HasFlag(body_0, body_1, btCollisionObject::CF_HAS_FRICTION_ANCHOR);
+}
+
+}  // namespace
+
 void OrderByImpulse(btPersistentManifold& manifold) {
   // Of nearly equal ones the order is kept: changing it from step to step makes bodies at rest tremble.
   constexpr btScalar kMore = btScalar(1.2);
@@ -267,15 +272,6 @@ void OrderByImpulse(btPersistentManifold& manifold) {
     }
   }
 }
-
-/// An app's own result has its own way with contacts, and Bullet has with points that it anchors.
-bool HasOwnWay(const btManifoldResult& output) {
-  const btCollisionObject &body_0 = *output.getBody0Internal(), &body_1 = *output.getBody1Internal();
-  return IsAskedByApp(output) || output.getPersistentManifold()->getBody0() != &body_0 ||
-         HasFlag(body_0, body_1, btCollisionObject::CF_HAS_FRICTION_ANCHOR);
-}
-
-}  // namespace
 
 void WritePatch(const dgd::ContactPatch<double>& patch, const Vector3& normal, btManifoldResult& output) {
   if (!AreBodiesSomewhere(output)) return;

@@ -42,6 +42,12 @@ void UpdateManifold(const dgd::ContactPatch<double>& patch, const Vector3& norma
 void AddToShared(const dgd::ContactPatch<double>& patch, const Vector3& normal, double equal_depth,
                  btManifoldResult& output);
 
+/// Puts the points that carried more in the last step first. Bullet's contact solver goes through a manifold in this
+/// order, and its last word is the last point's: where that is one that carries much, the tilt that each level of a
+/// tower is left with feeds a sway. By measurement (contact_report): the bodies of scenes/tower_20.json move at 90 mm/s
+/// without this, at 1.4 with it (float; double 94, 0.5; no resting contacts kept).
+void OrderByImpulse(btPersistentManifold& manifold);
+
 /// Removes points whose distance, after a refresh, is no finite number: of bodies whose pose is no pose.
 void DropPointsNotFinite(btPersistentManifold& manifold);
 

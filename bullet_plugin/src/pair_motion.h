@@ -1,6 +1,8 @@
 // How far two bodies approach each other within the time step, by their velocities before the constraints are solved.
 #pragma once
 
+#include <algorithm>
+
 #include "bullet_conversions.h"
 #include "dgd/motion.h"
 
@@ -46,6 +48,12 @@ class PairMotion {
   /// Whether no point of either body goes farther than `distance`, metres.
   bool IsWithin(double distance) const {
     return time_step_ * a_.Speed() <= distance && time_step_ * b_.Speed() <= distance;
+  }
+
+  /// Whether no point of either body goes farther than `distance`, metres, against the other where the two meet.
+  bool IsTogetherWithin(const Vector3& meeting_point, double distance) const {
+    const double slip = (a_.VelocityAt(meeting_point) - b_.VelocityAt(meeting_point)).norm();
+    return time_step_ * (slip + (a_.angular - b_.angular).norm() * std::min(a_.reach, b_.reach)) <= distance;
   }
 
   /// The way of a pose that is fixed to a body over the time step.

@@ -5,9 +5,11 @@
 #include <BulletCollision/CollisionShapes/btConeShape.h>
 #include <BulletCollision/CollisionShapes/btConvexInternalShape.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "contact_materials.h"
+#include "manifold_writer.h"
 #include "pair_motion.h"
 #include "shape_adapter.h"
 #include "shape_points.h"
@@ -58,32 +60,79 @@ bool IsFarAboveRounding(double distance, const btCollisionObjectWrapper& body) {
   return distance >= kDigits * double(body.getWorldTransform().getOrigin().length());
 }
 
+/// Of two rotations' difference: no unit vector's ends are farther apart.
+btScalar Turn(const btMatrix3x3& from, const btMatrix3x3& to) {
+  btScalar turn_sq = 0;
+  for (int row = 0; row < 3; ++row) turn_sq += (to[row] - from[row]).length2();
+  return btSqrt(turn_sq);
+}
+
 /// A bound on the way of the points of a body whose farthest one is at most `reach` from its origin.
 btScalar Way(const btTransform& from, const btTransform& to, btScalar reach) {
-  btScalar turn_sq = 0;
-  for (int row = 0; row < 3; ++row) turn_sq += (to.getBasis()[row] - from.getBasis()[row]).length2();
-  return (to.getOrigin() - from.getOrigin()).length() + reach * btSqrt(turn_sq);
+  return (to.getOrigin() - from.getOrigin()).length() + reach * Turn(from.getBasis(), to.getBasis());
 }
 
 }  // namespace
 
-RestingPair::RestingPair(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
-                         const btPersistentManifold& manifold)
-    : sides_{{SideOf(body_0), SideOf(body_1)}}, contacts_(manifold.getNumContacts()) {}
-
-bool RestingPair::CanTell(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
-                          double distance) {
-  return IsFarAboveRounding(distance, body_0) && IsFarAboveRounding(distance, body_1) && HasComparableShape(body_0) &&
-         HasComparableShape(body_1) && HasPlainMaterial(*body_0.getCollisionObject()) &&
-         HasPlainMaterial(*body_1.getCollisionObject());
+RestingPair::RestingPair(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
+                         const btPersistentManifold& manifold, dgd::FaceHolder holder)
+    : sides_{{SideOf(body_a), SideOf(body_b)}},
+      between_(sides_[0].pose.inverseTimes(sides_[1].pose)),
+      holder_(holder),
+      contacts_(manifold.getNumContacts()) {
+  if (holder_ == dgd::FaceHolder::kNone) return;
+  const btMatrix3x3& rotation = sides_[holder_ == dgd::FaceHolder::kSet1 ? 0 : 1].pose.getBasis();
+  held_normal_ = manifold.getContactPoint(0).m_normalWorldOnB * rotation;
 }
 
-bool RestingPair::IsAsItWas(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
-                            const btPersistentManifold& manifold, const Hull& hull_0, const Hull& hull_1) const {
-  const auto distance = btScalar(RestingDistance(double(manifold.getContactBreakingThreshold())));
-  return manifold.getNumContacts() == contacts_ && IsSame(sides_[0], body_0, hull_0, distance) &&
-         IsSame(sides_[1], body_1, hull_1, distance) && HasPlainMaterial(*body_0.getCollisionObject()) &&
-         HasPlainMaterial(*body_1.getCollisionObject());
+bool RestingPair::CanTell(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
+                          double breaking_threshold, dgd::FaceHolder holder) {
+  const double distance = holder == dgd::FaceHolder::kNone ? RestingDistance(breaking_threshold)
+                                                           : RestingDistanceOnFace(breaking_threshold);
+  return IsFarAboveRounding(distance, body_a) && IsFarAboveRounding(distance, body_b) && HasComparableShape(body_a) &&
+         HasComparableShape(body_b) && HasPlainMaterial(*body_a.getCollisionObject()) &&
+         HasPlainMaterial(*body_b.getCollisionObject());
+}
+
+RestingPair::Since RestingPair::Compare(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
+                                        const btPersistentManifold& manifold, const Hull& hull_a,
+                                        const Hull& hull_b) const {
+  if (manifold.getNumContacts() != contacts_) return Since::kChanged;
+  const Since places = ComparePlaces(body_a, body_b, double(manifold.getContactBreakingThreshold()));
+  const bool is_comparable = places != Since::kChanged && IsSameShape(sides_[0], body_a, hull_a) &&
+                             IsSameShape(sides_[1], body_b, hull_b) && HasPlainMaterial(*body_a.getCollisionObject()) &&
+                             HasPlainMaterial(*body_b.getCollisionObject());
+  return is_comparable ? places : Since::kChanged;
+}
+
+/// Changed also where a pose is not finite.
+RestingPair::Since RestingPair::ComparePlaces(const btCollisionObjectWrapper& body_a,
+                                              const btCollisionObjectWrapper& body_b, double breaking_threshold) const {
+  const btTransform &pose_a = body_a.getWorldTransform(), &pose_b = body_b.getWorldTransform();
+  const auto reach_a = btScalar(Reach(*body_a.getCollisionObject(), pose_a.getOrigin()));
+  const auto reach_b = btScalar(Reach(*body_b.getCollisionObject(), pose_b.getOrigin()));
+  const auto distance = btScalar(RestingDistance(breaking_threshold));
+  if (Way(sides_[0].pose, pose_a, reach_a) <= distance && Way(sides_[1].pose, pose_b, reach_b) <= distance) {
+    return Since::kStill;
+  }
+  if (holder_ == dgd::FaceHolder::kNone) return Since::kChanged;
+  // The points of either body, seen from the other, move by as much where the two meet.
+  const btTransform between = pose_a.inverseTimes(pose_b);
+  const btScalar turn = Turn(between_.getBasis(), between.getBasis());
+  const btVector3 way = reach_a < reach_b
+                            ? between_.getOrigin() * between_.getBasis() - between.getOrigin() * between.getBasis()
+                            : between.getOrigin() - between_.getOrigin();
+  const btScalar drift = way.length() + std::min(reach_a, reach_b) * turn;
+  return drift <= btScalar(RestingDistanceOnFace(breaking_threshold)) ? Since::kMovedTogether : Since::kChanged;
+}
+
+void RestingPair::Follow(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
+                         btPersistentManifold& manifold) {
+  sides_[0].pose = body_a.getWorldTransform();
+  sides_[1].pose = body_b.getWorldTransform();
+  const btVector3 normal = sides_[holder_ == dgd::FaceHolder::kSet1 ? 0 : 1].pose.getBasis() * held_normal_;
+  for (int i = 0; i < manifold.getNumContacts(); ++i) manifold.getContactPoint(i).m_normalWorldOnB = normal;
+  OrderByImpulse(manifold);
 }
 
 RestingPair::Side RestingPair::SideOf(const btCollisionObjectWrapper& body) {
@@ -92,13 +141,9 @@ RestingPair::Side RestingPair::SideOf(const btCollisionObjectWrapper& body) {
   return {&shape, type, UpAxis(shape), SizeOf(shape, type), shape.getMargin(), body.getWorldTransform()};
 }
 
-bool RestingPair::IsSame(const Side& then, const btCollisionObjectWrapper& body, const Hull& hull, btScalar distance) {
+bool RestingPair::IsSameShape(const Side& then, const btCollisionObjectWrapper& body, const Hull& hull) {
   const auto* shape = static_cast<const btConvexShape*>(body.getCollisionShape());
   if (shape != then.shape) return false;
-  // False also where a pose is not finite.
-  const btTransform& pose = body.getWorldTransform();
-  const double reach = Reach(*body.getCollisionObject(), pose.getOrigin());
-  if (!(Way(then.pose, pose, btScalar(reach)) <= distance)) return false;
   const int type = shape->getShapeType();
   if (type != then.type || shape->getMargin() != then.margin) return false;
   if (IsHullOfPoints(type)) return hull != nullptr && hull->Matches(*shape);

@@ -1,9 +1,16 @@
-// Bodies that lie still keep their contacts: what was found for them once is what would be found again.
+// Bodies that lie still on each other keep their contacts: what was found for them once is what would be found again.
 //
 // A pile at rest is most of what most worlds ask about, and its contacts change by less than the solver's own
 // tolerance. While neither body has moved by more than a small part of the manifold's breaking threshold since the
 // contacts were found, they are kept: Bullet's refresh makes their distances exact along their normals, as it does for
 // all contacts between two steps, and a normal is off by no more than the part of the threshold over the body's size.
+//
+// Bodies that sink, sway or are carried along together keep theirs as well, where a face of one holds the contact or
+// two faces meet: the normal turns with the face, and along that the refresh is exact for the very points. What the
+// bodies have moved by against each other may then be more, for it only leaves the points where they are on the face;
+// the distance of what would be found instead differs by that way times the angle between the surfaces. Between two
+// turns of the normal the bodies are still, and nothing but distances changes: a change in each step, be it of the
+// points' order alone, makes bodies tremble.
 #pragma once
 
 #include <LinearMath/btTransform.h>
@@ -11,6 +18,7 @@
 #include <array>
 #include <memory>
 
+#include "dgd/held_face.h"
 #include "hull_cache.h"
 
 class btConvexShape;
@@ -25,23 +33,39 @@ namespace dgd_bullet {
 /// left with (0.012 to 0.038 mm/s).
 constexpr double RestingDistance(double breaking_threshold) { return 1e-3 * breaking_threshold; }
 
-/// A pair as it was when its contacts were found.
+/// And on a face, against the other body: 0.2 mm for large ones.
+constexpr double RestingDistanceOnFace(double breaking_threshold) { return 1e-2 * breaking_threshold; }
+
+/// A pair as it was when its contacts were found. The two bodies in the order that they are solved in.
 class RestingPair {
  public:
   using Hull = std::shared_ptr<const CachedHull>;
 
-  RestingPair(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
-              const btPersistentManifold& manifold);
+  /// @param manifold  With contacts, of one normal.
+  /// @param holder    With which body's face that turns, if any.
+  RestingPair(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
+              const btPersistentManifold& manifold, dgd::FaceHolder holder);
 
   /// Whether a pair can be told to be as it was: shapes whose numbers can be compared, and bodies whose contacts an app
   /// does not want to see anew at each step, for it colours them; where poses are exact enough to tell the distance.
-  static bool CanTell(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1, double distance);
+  /// @param breaking_threshold  The manifold's, metres.
+  static bool CanTell(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
+                      double breaking_threshold, dgd::FaceHolder holder);
 
-  /// Whether both bodies are still in their places, their shapes are what they were, and the manifold holds the
-  /// contacts that were left in it.
-  /// @param hull_0, hull_1  Of the shapes if they are hulls of points, else of no account.
-  bool IsAsItWas(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
-                 const btPersistentManifold& manifold, const Hull& hull_0, const Hull& hull_1) const;
+  /// What has become of a pair since.
+  enum class Since {
+    kStill,          ///< Both bodies are in the places that they were last found or followed in.
+    kMovedTogether,  ///< On a face, in their places to each other: to be followed.
+    kChanged,        ///< Neither; or the shapes or the manifold's contacts are others.
+  };
+
+  /// @param hull_a, hull_b  Of the shapes if they are hulls of points, else of no account.
+  Since Compare(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
+                const btPersistentManifold& manifold, const Hull& hull_a, const Hull& hull_b) const;
+
+  /// Follows bodies that have moved together: turns the contacts' normal with the face that holds it.
+  void Follow(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
+              btPersistentManifold& manifold);
 
  private:
   struct Side {
@@ -54,9 +78,14 @@ class RestingPair {
   };
 
   static Side SideOf(const btCollisionObjectWrapper& body);
-  static bool IsSame(const Side& then, const btCollisionObjectWrapper& body, const Hull& hull, btScalar distance);
+  static bool IsSameShape(const Side& then, const btCollisionObjectWrapper& body, const Hull& hull);
+  Since ComparePlaces(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
+                      double breaking_threshold) const;
 
   std::array<Side, 2> sides_;
+  btTransform between_;  // Pose of body B seen from body A.
+  dgd::FaceHolder holder_;
+  btVector3 held_normal_;  // Of the contacts, in the holder's frame.
   int contacts_;
 };
 

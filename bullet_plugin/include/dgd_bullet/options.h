@@ -72,8 +72,9 @@ struct Options {
   bool friction_anchors = true;
 
   /// Bodies that have not moved by more than a thousandth of the breaking threshold (20 micrometres for large ones)
-  /// since their contacts were found keep them, at a fifth of the cost; only the distances are made anew. In manifolds
-  /// of the pair's own only, and needs contact_patch and warm_start.
+  /// since their contacts were found keep them, at a fifth of the cost; only the distances are made anew. So do bodies
+  /// on each other's faces that have moved together, by no more than a hundredth of the threshold against each other:
+  /// their normal turns with the face. In manifolds of the pair's own only, and needs contact_patch and warm_start.
   bool keep_resting_contacts = true;
 
   /// Start each step's query of a pair from its last answer. Off: the answer depends on nothing but shapes, poses and

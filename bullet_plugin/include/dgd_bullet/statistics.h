@@ -28,7 +28,7 @@ struct PairStatistics : FallbackCounts {
 
   std::uint64_t calls = 0;      ///< How often Bullet asked: the sum of the next four and the fallbacks.
   std::uint64_t separated = 0;  ///< Early exits: proven to be apart by more than what is asked for.
-  std::uint64_t resting = 0;    ///< Nothing had moved: the contacts were kept.
+  std::uint64_t resting = 0;    ///< Nothing had moved, or all together: the contacts were kept.
   std::uint64_t followed = 0;   ///< Cores apart, and answered without a growth distance.
   std::uint64_t solved = 0;     ///< By the growth distance.
 
