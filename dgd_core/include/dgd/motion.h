@@ -18,7 +18,7 @@ struct Motion {
 
   SquareMatrix<S, 3> RotationAt(S time) const {
     const S angle = rotation.norm();
-    if (!(angle > 0)) return start.rotation;
+    if (!(time * angle > 0)) return start.rotation;
     return Eigen::AngleAxis<S>(time * angle, rotation / angle).toRotationMatrix() * start.rotation;
   }
 

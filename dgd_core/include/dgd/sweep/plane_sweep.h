@@ -38,7 +38,7 @@ class MovingSet {
     axis_ = motion.rotation / angle_;
     // Two extents across the axis bound the distance of the core's points from it.
     const auto widest = [&](const Point& direction) {
-      return std::max(Extent(direction, S(0)), Extent(-direction, S(0)));
+      return std::max(ExtentAtStart(direction), ExtentAtStart(-direction));
     };
     const Point across = axis_.unitOrthogonal();
     reach_ = std::hypot(widest(across), widest(axis_.cross(across)));
@@ -46,8 +46,12 @@ class MovingSet {
 
   /// How far the core reaches along a unit vector from the point that the set turns about.
   S Extent(const Point& normal, S time) const {
-    const Point direction = motion_.RotationAt(time).transpose() * normal;
-    return direction.dot(set_.core.Support(direction).point - motion_.center);
+    const S angle = -time * angle_;
+    if (!(angle < 0)) return ExtentAtStart(normal);
+    // Turned back, by Rodrigues' formula.
+    const S cosine = std::cos(angle);
+    return ExtentAtStart(cosine * normal + std::sin(angle) * axis_.cross(normal) +
+                         (1 - cosine) * axis_.dot(normal) * axis_);
   }
 
   /// Most by which the extent may exceed its chord between two moments, which are `duration` apart. Infinite if the set
@@ -61,6 +65,11 @@ class MovingSet {
   }
 
  private:
+  S ExtentAtStart(const Point& normal) const {
+    const Point direction = motion_.start.rotation.transpose() * normal;
+    return direction.dot(set_.core.Support(direction).point - motion_.center);
+  }
+
   const Set& set_;
   const Motion<S>& motion_;
   Point axis_ = Point::UnitX();
