@@ -76,37 +76,62 @@ TEST(PairOrder, BodiesThatPassEachOther_GoOnFromTheLastQuery) {
   }
 }
 
+/// Turns body B and brings it nearer, step by step, until a pair that was never asked before has contacts; expects
+/// those of a pair that was asked all along.
+/// @return  Whether they met.
+bool MeetAsSoonAsANewPair(Random& random, btConvexShape& a, btConvexShape& b) {
+  Dispatching dispatching(Route::kConfiguration);
+  PairQuery pair(dispatching.dispatcher(), a, b);
+  PlaceNearby(random, pair, 1);
+  const btVector3 axis = ToBullet(random.UnitVector());
+  for (int step = 0; step < 60; ++step) {
+    btTransform& pose_b = pair.body_b().getWorldTransform();
+    pose_b.getOrigin() =
+        btScalar(0.97) * pose_b.getOrigin() + btScalar(0.03) * pair.body_a().getWorldTransform().getOrigin();
+    pose_b.getBasis() = btMatrix3x3(btQuaternion(axis, btScalar(0.02))) * pose_b.getBasis();
+    PairQuery fresh(dispatching.dispatcher(), a, b);
+    fresh.SetPoses(pair.body_a().getWorldTransform(), pose_b);
+    const std::vector<Contact> contacts = pair.Step(), firsts = fresh.Step();
+    if (firsts.empty()) continue;
+    if (contacts.empty()) {
+      // Within rounding of the distance up to which there are any.
+      EXPECT_NEAR(Deepest(firsts).depth, double(fresh.manifold()->getContactBreakingThreshold()), 1e-5) << step;
+    }
+    return true;
+  }
+  return false;
+}
+
 // While a pair is apart, its last normal answers for it, step after step: never longer than it is.
 TEST(PairHistory, BodiesThatComeNearer_HaveContactsAsSoonAsANewPairHas) {
   const std::vector<ZooShape> zoo = MakeShapeZoo(0.5);
-  Dispatching dispatching(Route::kConfiguration);
   Random random(TestSeed());
   int met = 0;
   for (const ZooShape& a : zoo) {
     for (const ZooShape& b : zoo) {
       SCOPED_TRACE(a.name + " and " + b.name);
-      PairQuery pair(dispatching.dispatcher(), *a.shape, *b.shape);
-      PlaceNearby(random, pair, 1);
-      const btVector3 axis = ToBullet(random.UnitVector());
-      bool has_met = false;
-      for (int step = 0; step < 60 && !has_met; ++step) {
-        btTransform& pose_b = pair.body_b().getWorldTransform();
-        pose_b.getOrigin() =
-            btScalar(0.97) * pose_b.getOrigin() + btScalar(0.03) * pair.body_a().getWorldTransform().getOrigin();
-        pose_b.getBasis() = btMatrix3x3(btQuaternion(axis, btScalar(0.02))) * pose_b.getBasis();
-        PairQuery fresh(dispatching.dispatcher(), *a.shape, *b.shape);
-        fresh.SetPoses(pair.body_a().getWorldTransform(), pose_b);
-        const std::vector<Contact> contacts = pair.Step(), firsts = fresh.Step();
-        has_met = !firsts.empty();
-        if (has_met && contacts.empty()) {
-          // Within rounding of the distance up to which there are any.
-          ASSERT_NEAR(Deepest(firsts).depth, double(fresh.manifold()->getContactBreakingThreshold()), 1e-5) << step;
-        }
-      }
-      met += has_met;
+      met += MeetAsSoonAsANewPair(random, *a.shape, *b.shape);
     }
   }
   EXPECT_GT(met, int(zoo.size() * zoo.size()) * 9 / 10);
+}
+
+/// Bullet's own points answer there, some at a time: none is left out, whatever their number.
+TEST(PairHistory, HullsThatComeNearer_HaveContactsAsSoonAsANewPairHas) {
+  btSphereShape ball(btScalar(0.25));
+  Random random(TestSeed());
+  int met = 0, pairs = 0;
+  for (int count = 4; count <= 24; ++count) {
+    SCOPED_TRACE(count);
+    const auto points = MakeRandomHull(random, count, 0.5);
+    for (int i = 0; i < 10; ++i, ++pairs) {
+      // Each point is the last of its hull in turn.
+      btConvexHullShape hull;
+      for (int k = 0; k < count; ++k) hull.addPoint(points->getScaledPoint((k + i) % count));
+      met += MeetAsSoonAsANewPair(random, hull, ball);
+    }
+  }
+  EXPECT_GT(met, pairs * 9 / 10);
 }
 
 dgd_bullet::Options WithoutHistory() {
