@@ -82,6 +82,15 @@ void Swap(dgd::ContactPatch<double>& patch, dgd::Result<double>& result) {
   result.normal = -result.normal;
 }
 
+/// For what is written to.
+void Prefetch(const void* begin, std::size_t size) {
+  constexpr std::size_t kLine = 64;
+  constexpr int kForWriting = 1;
+  for (std::size_t at = 0; at < size; at += kLine) {
+    __builtin_prefetch(static_cast<const char*>(begin) + at, kForWriting);
+  }
+}
+
 /// The app's own word on which bodies are worth a sweep.
 bool IsSlow(const btCollisionObject& body) {
   const btVector3 way = body.getInterpolationWorldTransform().getOrigin() - body.getWorldTransform().getOrigin();
@@ -101,6 +110,7 @@ ConvexConvexAlgorithm::~ConvexConvexAlgorithm() {
 void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* body_0,
                                              const btCollisionObjectWrapper* body_1, const btDispatcherInfo& info,
                                              btManifoldResult* output) {
+  PrefetchNext();
   PrefetchManifold();
   if (Recorder* recorder = narrowphase_.options().recorder) recorder->Add(*body_0, *body_1);
   const auto count = [&](Fallback fallback) {
@@ -126,17 +136,16 @@ void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* bod
   }
 }
 
+void ConvexConvexAlgorithm::PrefetchNext() {
+  const void* next = VisitingOrder::OfThisThread().Visit(this, place_);
+  if (next != nullptr) Prefetch(next, sizeof(ConvexConvexAlgorithm));
+}
+
 void ConvexConvexAlgorithm::PrefetchManifold() const {
   if (manifold_ == nullptr) return;
   // Beside the number of points and the breaking threshold.
   __builtin_prefetch(&manifold_->m_companionIdA);
-  if (!had_contact_) return;
-  constexpr std::size_t kLine = 64;
-  const auto* points = reinterpret_cast<const char*>(manifold_);
-  for (std::size_t at = 0; at < MANIFOLD_CACHE_SIZE * sizeof(btManifoldPoint); at += kLine) {
-    constexpr int kForWriting = 1;
-    __builtin_prefetch(points + at, kForWriting);
-  }
+  if (had_contact_) Prefetch(manifold_, MANIFOLD_CACHE_SIZE * sizeof(btManifoldPoint));
 }
 
 bool ConvexConvexAlgorithm::HasManifold(const btCollisionObjectWrapper* body_0,

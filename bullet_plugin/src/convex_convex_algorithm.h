@@ -19,6 +19,7 @@
 #include "narrowphase.h"
 #include "pair_motion.h"
 #include "shape_adapter.h"
+#include "visiting_order.h"
 
 namespace dgd_bullet {
 
@@ -51,6 +52,8 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   /// Has memory bring what of the manifold will be read, while the answer is made: in a world of thousands of pairs it
   /// is nowhere near, and to wait for it takes as long as to tell that a pair is apart.
   void PrefetchManifold() const;
+  /// ... and the algorithm that Bullet will most likely call next.
+  void PrefetchNext();
 
   /// Solves the pair and writes its contacts. If that failed: why; nothing was written then.
   std::optional<Fallback> FindContacts(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1,
@@ -106,6 +109,7 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   bool was_swapped_ = false;                              // The order of the hulls below is not Bullet's.
   dgd::FaceHolder face_holder_ = dgd::FaceHolder::kNone;  // Of the last contact.
   const bool speculative_;
+  VisitingOrder::Place place_ = 0;                     // Of the last call.
   std::unique_ptr<RestingPair> resting_;               // Once the pair has rested.
   std::shared_ptr<const CachedHull> hull_0_, hull_1_;  // In the order that the shapes are solved in (pair_order.h).
   dgd::WarmStart<double> warm_start_;
