@@ -18,6 +18,10 @@ constexpr double kFall = 5;         // Height that bodies fall from, m.
 constexpr int kStepsToReplace = 6;  // A tenth of a second.
 constexpr double kDensity = 500;    // kg of a body of 1 m.
 
+/// Half the paddle's length, m. It leaves more to the walls than any body is wide: a kinematic body yields to nothing,
+/// and what it presses against a wall leaves the pit in the end, whatever finds the contacts.
+constexpr double kPaddle = 0.6 * kPit;
+
 }  // namespace
 
 StirredHeap::StirredHeap(int bodies, std::uint64_t seed)
@@ -50,7 +54,7 @@ void StirredHeap::AddPit() {
     AddStatic(std::make_shared<btBoxShape>(Vec(1, kPit + 2, 20)), Vec(side * (kPit + 1), 0, 20));
     AddStatic(std::make_shared<btBoxShape>(Vec(kPit + 2, 1, 20)), Vec(0, side * (kPit + 1), 20));
   }
-  AddStatic(std::make_shared<btBoxShape>(Vec(0.8 * kPit, 0.15, 0.5)), Vec(0, 0, 0.6));
+  AddStatic(std::make_shared<btBoxShape>(Vec(kPaddle, 0.15, 0.5)), Vec(0, 0, 0.6));
   btRigidBody& paddle = *pit_.back().body;
   paddle.setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
   paddle.setActivationState(DISABLE_DEACTIVATION);
