@@ -47,10 +47,9 @@ class ApartSearch {
       if (IsOptimal()) return Status::kOptimal;
       if (Separation() > settings_.separation_limit) return Status::kSeparated;
       if (simplex_.HoldsOriginWith(support.point)) return Status::kStalled;
-      NearestSimplex<S> grown = simplex_;
-      grown.Add(support);
-      if (!descent_.Continues(simplex_, grown)) return Status::kStalled;
-      simplex_ = grown;
+      const S before = simplex_.Nearest().squaredNorm();
+      simplex_.Add(support);
+      if (!descent_.Continues(before, simplex_.Nearest().squaredNorm())) return Status::kStalled;
     }
   }
 

@@ -89,15 +89,7 @@ class NearestSimplex {
       weights[1] = WeightOfSecond<S>(points_[0].point, points_[1].point);
       weights[0] = 1 - weights[1];
     }
-    const std::size_t size = size_;
-    size_ = 0;
-    nearest_.setZero();
-    for (std::size_t i = 0; i < size; ++i) {
-      if (!(weights[i] > 0)) continue;
-      nearest_ += weights[i] * points_[i].point;
-      if (size_ != i) points_[size_] = points_[i];
-      weights_[size_++] = weights[i];
-    }
+    KeepWeighty(weights);
   }
 
   /// Adds a point, and keeps what of the hull of all is nearest to the origin and has that point.
@@ -108,6 +100,7 @@ class NearestSimplex {
       return;
     }
     std::size_t replaced = 0;
+    std::array<S, 3> of_nearest{};
     S least = std::numeric_limits<S>::infinity();
     for (std::size_t left_out = 0; left_out < 3; ++left_out) {
       std::array<const Vector3<S>*, 3> corners{&points_[0].point, &points_[1].point, &points_[2].point};
@@ -118,9 +111,10 @@ class NearestSimplex {
       if (!(distance_sq < least)) continue;
       least = distance_sq;
       replaced = left_out;
+      of_nearest = weights;
     }
     points_[replaced] = added;
-    Reduce();
+    KeepWeighty(of_nearest);
   }
 
   /// Unit vector from the nearest point to the origin, which is not on the simplex: across that, so that it keeps its
@@ -160,6 +154,19 @@ class NearestSimplex {
   }
 
  private:
+  /// Drops the points without weight in the nearest one, and finds that.
+  void KeepWeighty(const std::array<S, 3>& weights) {
+    const std::size_t size = size_;
+    size_ = 0;
+    nearest_.setZero();
+    for (std::size_t i = 0; i < size; ++i) {
+      if (!(weights[i] > 0)) continue;
+      nearest_ += weights[i] * points_[i].point;
+      if (size_ != i) points_[size_] = points_[i];
+      weights_[size_++] = weights[i];
+    }
+  }
+
   Vector3<S> Side(std::size_t to) const { return points_[to].point - points_[0].point; }
 
   std::array<Feature, 3> points_;
@@ -173,8 +180,8 @@ class NearestSimplex {
 template <class S>
 class Descent {
  public:
-  bool Continues(const NearestSimplex<S>& from, const NearestSimplex<S>& to) {
-    const S before = from.Nearest().squaredNorm(), after = to.Nearest().squaredNorm();
+  /// @param before, after  Squared length of the nearest point, metres^2.
+  bool Continues(S before, S after) {
     if (after < before) return true;
     return after <= (1 + kAsNear) * before && sideways_++ < kMaxSideways;
   }

@@ -253,7 +253,7 @@ class SignedDistanceSearch {
       }
       NearestSimplex<S> grown = simplex_;
       grown.Add(support);
-      if (descent_.Continues(simplex_, grown)) {
+      if (descent_.Continues(simplex_.Nearest().squaredNorm(), grown.Nearest().squaredNorm())) {
         simplex_ = grown;
       } else if (normal == simplex_.Normal()) {
         return Finish(Status::kStalled, simplex_.Combination());
