@@ -7,9 +7,11 @@
 
 // Read by the sanitizers, if there are any. Mesa 22.3 keeps the frame buffers of a context that is destroyed; and its
 // threads, which are compiled without the thread sanitizer, look to that as if they did not wait for each other.
+// NOLINTBEGIN(bugprone-reserved-identifier): the names are theirs.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa.so\n"; }
 extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
 extern "C" const char* __tsan_default_suppressions() { return "race:libOSMesa.so\nrace:libLLVM\n"; }
+// NOLINTEND(bugprone-reserved-identifier)
 
 namespace dgd_demos {
 

@@ -86,8 +86,8 @@ void DrawGradient(const Vector2d& corner, double width, double height) {
 // Speeds to mark: the ends, and powers of two between them that leave room for their labels.
 std::vector<double> MarkedSpeeds(double fastest) {
   std::vector<double> speeds = {0};
-  for (double speed = std::exp2(std::ceil(std::log2(fastest / 14))); speed < 0.75 * fastest; speed *= 2) {
-    speeds.push_back(speed);
+  for (int power = int(std::ceil(std::log2(fastest / 14))); std::exp2(power) < 0.75 * fastest; ++power) {
+    speeds.push_back(std::exp2(power));
   }
   speeds.push_back(fastest);
   return speeds;

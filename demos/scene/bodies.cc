@@ -52,7 +52,7 @@ class OccupiedSpace {
 class PolytopePlacement {
  public:
   PolytopePlacement(const RandomPolytopes& group, const Scene& scene, std::string group_name, Random random)
-      : group_(group), scene_(scene), group_name_(std::move(group_name)), random_(std::move(random)) {}
+      : group_(group), scene_(scene), group_name_(std::move(group_name)), random_(random) {}
 
   void AppendTo(std::vector<Body>& bodies, OccupiedSpace& occupied) {
     for (int i = 0; i < group_.count; ++i) {

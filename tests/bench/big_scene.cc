@@ -27,6 +27,12 @@ btQuaternion RandomTurn(Random& random) {
 
 btBoxShape& MakeBox(BenchWorld& world, double x, double y, double z) { return world.Make<btBoxShape>(Vec(x, y, z)); }
 
+/// The i-th place of a square of side * side places about the origin.
+Eigen::Vector2d InGrid(int i, int side, double pitch) {
+  const int row = i / side, column = i % side;
+  return pitch * Eigen::Vector2d(row - 0.5 * (side - 1), column - 0.5 * (side - 1));
+}
+
 /// Eight by eight towers of boxes in the air, which spread as they rise: they fall, and topple.
 void BuildBoxes(BenchWorld& world) {
   constexpr int kSide = 8, kLevels = 47;
@@ -36,8 +42,8 @@ void BuildBoxes(BenchWorld& world) {
   double spacing = 1.5;
   for (int level = 0; level < kLevels; ++level) {
     for (int i = 0; i < kSide * kSide; ++i) {
-      const double x = (i / kSide - 0.5 * (kSide - 1)) * spacing, y = (i % kSide - 0.5 * (kSide - 1)) * spacing;
-      world.Add(box, kDensity, At(Vec(x, y, 1 + 1.25 * level)));
+      const Eigen::Vector2d place = InGrid(i, kSide, spacing);
+      world.Add(box, kDensity, At(Vec(place.x(), place.y(), 1 + 1.25 * level)));
     }
     spacing *= 1.01;
   }
@@ -48,8 +54,8 @@ void AddPyramid(BenchWorld& world, btBoxShape& box, int levels, double x, double
   for (int level = 0; level < levels; ++level) {
     const int side = levels - level;
     for (int i = 0; i < side * side; ++i) {
-      const double dx = (i / side - 0.5 * (side - 1)) * kPitch, dy = (i % side - 0.5 * (side - 1)) * kPitch;
-      world.Add(box, kDensity, At(Vec(x + dx, y + dy, 0.5 + level)));
+      const Eigen::Vector2d place = InGrid(i, side, kPitch);
+      world.Add(box, kDensity, At(Vec(x + place.x(), y + place.y(), 0.5 + level)));
     }
   }
 }
@@ -135,8 +141,8 @@ void BuildRagdolls(BenchWorld& world) {
   constexpr int kSide = 4, kLevels = 8;
   for (int i = 0; i < kSide * kSide * kLevels; ++i) {
     const int level = i / (kSide * kSide), place = i % (kSide * kSide);
-    const btVector3 at = Vec(1.2 * (place / kSide), 1.2 * (place % kSide), 1 + 2 * level);
-    AddRagdoll(world, shapes, limbs, At(at, RandomTurn(random)));
+    const int row = place / kSide, column = place % kSide;
+    AddRagdoll(world, shapes, limbs, At(Vec(1.2 * row, 1.2 * column, 1 + 2 * level), RandomTurn(random)));
   }
 }
 
@@ -161,9 +167,9 @@ btConvexHullShape& MakeHull(BenchWorld& world, Random& random) {
 btTransform InTheAir(Random& random, int i) {
   constexpr int kSide = 10;
   constexpr double kPitch = 1.6;
-  const int level = i / (kSide * kSide), place = i % (kSide * kSide);
-  const double x = (place / kSide - 0.5 * (kSide - 1)) * kPitch, y = (place % kSide - 0.5 * (kSide - 1)) * kPitch;
-  return At(Vec(x, y, 3 + kPitch * level), RandomTurn(random));
+  const int level = i / (kSide * kSide);
+  const Eigen::Vector2d place = InGrid(i % (kSide * kSide), kSide, kPitch);
+  return At(Vec(place.x(), place.y(), 3 + kPitch * level), RandomTurn(random));
 }
 
 void BuildHullsOnMesh(BenchWorld& world) {
@@ -178,11 +184,11 @@ void BuildHullsOnMesh(BenchWorld& world) {
 }
 
 void BuildMixedOnTerrain(BenchWorld& world) {
-  constexpr int kSamples = 65;
+  constexpr int kSamples = 65, kMiddle = kSamples / 2;
   // In either precision Bullet reads what it calls PHY_FLOAT as its own scalar.
   auto& heights = world.Make<std::vector<btScalar>>();
   for (int j = 0; j < kSamples; ++j) {
-    for (int i = 0; i < kSamples; ++i) heights.push_back(btScalar(Landscape(i - kSamples / 2, j - kSamples / 2)));
+    for (int i = 0; i < kSamples; ++i) heights.push_back(btScalar(Landscape(i - kMiddle, j - kMiddle)));
   }
   const auto [lowest, highest] = std::ranges::minmax_element(heights);
   auto& terrain = world.Make<btHeightfieldTerrainShape>(kSamples, kSamples, heights.data(), btScalar(1), *lowest,
@@ -229,9 +235,7 @@ std::vector<btVector3> VoronoiCell(const std::vector<btVector3>& sites, std::siz
     add_plane(normal, normal.dot(nearest[i] + sites[own]) / 2);
   }
   btGeometryUtil::getVerticesFromPlaneEquations(planes, corners);
-  std::vector<btVector3> list;
-  for (int i = 0; i < corners.size(); ++i) list.push_back(corners[i]);
-  return list;
+  return {&corners[0], &corners[0] + corners.size()};
 }
 
 /// A wall that is broken already, and a ball that shows it.

@@ -14,7 +14,7 @@ namespace dgd_test {
 template <class Height>
 void AddGrid(btTriangleMesh& mesh, int cells, double pitch, const Height& height) {
   const auto corner = [&](int i, int j) {
-    const double x = (i - cells / 2) * pitch, y = (j - cells / 2) * pitch;
+    const double x = (i - 0.5 * cells) * pitch, y = (j - 0.5 * cells) * pitch;
     return Vec(x, y, height(x, y));
   };
   for (int i = 0; i < cells; ++i) {
