@@ -60,7 +60,7 @@ class ShapeContent {
   static std::vector<double> CoordinatesOf(const VertexCore& core) {
     std::vector<double> numbers;
     for (dgd::VertexId i = 0; i < core.VertexCount(); ++i) {
-      const Vector3& vertex = core.Vertex(i);
+      const Vector3 vertex = core.Vertex(i);
       numbers.insert(numbers.end(), vertex.begin(), vertex.end());
     }
     return numbers;

@@ -13,6 +13,7 @@ namespace {
 std::atomic<long> allocations{0};
 }
 
+// NOLINTBEGIN(bugprone-reserved-identifier): what the linker's --wrap calls them.
 extern "C" {
 void* __real_malloc(std::size_t size);
 void* __real_calloc(std::size_t count, std::size_t size);
@@ -30,6 +31,7 @@ int __wrap_posix_memalign(void** result, std::size_t alignment, std::size_t size
   return ++allocations, __real_posix_memalign(result, alignment, size);
 }
 }
+// NOLINTEND(bugprone-reserved-identifier)
 
 void* operator new(std::size_t size) {
   ++allocations;

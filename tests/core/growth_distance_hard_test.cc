@@ -288,8 +288,8 @@ TYPED_TEST(GrowthDistanceHard, NeedlesAndSheets_AreCertified) {
     const double width_1 = random.LogUniform(is_double ? 1e-4 : 1e-2, 1);
     const double width_2 = random.LogUniform(is_double ? 1e-4 : 1e-2, 1);
     ReferencePair pair;
-    pair.set_1 = Slender(random, kCoreTypes[static_cast<std::size_t>(3 + random.Below(4))], width_1);
-    pair.set_2 = Slender(random, kCoreTypes[static_cast<std::size_t>(3 + random.Below(4))], width_2);
+    pair.set_1 = Slender(random, kCoreTypes[3 + static_cast<std::size_t>(random.Below(4))], width_1);
+    pair.set_2 = Slender(random, kCoreTypes[3 + static_cast<std::size_t>(random.Below(4))], width_2);
     if (random.Below(3) == 0) pair.set_1.radius = 0.04;
     PlaceRandomly(random, pair);
     // Also where both are parallel to the axes, as furniture is.
@@ -304,7 +304,7 @@ TYPED_TEST(GrowthDistanceHard, NeedlesAndSheets_AreCertified) {
 TEST(GrowthDistance, SizesAThousandToOne_AreCertified) {
   Random random(TestSeed());
   for (int i = 0; i < TestCount(10000); ++i) {
-    const CoreType type_1 = kCoreTypes[static_cast<std::size_t>(3 + random.Below(4))];
+    const CoreType type_1 = kCoreTypes[3 + static_cast<std::size_t>(random.Below(4))];
     const CoreType type_2 = kCoreTypes[static_cast<std::size_t>(random.Below(7))];
     ReferencePair pair{RandomSet(random, type_1, random.Flip()), RandomSet(random, type_2, random.Flip()), {}, {}};
     const bool large_first = random.Flip();
@@ -437,7 +437,7 @@ TYPED_TEST(GrowthDistanceHard, FarFromTheOrigin_IsCertifiedToTheRoundingThere) {
   Random random(TestSeed());
   const bool is_double = sizeof(TypeParam) == 8;
   for (int i = 0; i < TestCount(5000); ++i) {
-    const CoreType type_1 = kCoreTypes[static_cast<std::size_t>(3 + random.Below(4))];
+    const CoreType type_1 = kCoreTypes[3 + static_cast<std::size_t>(random.Below(4))];
     const CoreType type_2 = kCoreTypes[static_cast<std::size_t>(random.Below(7))];
     ReferencePair pair = RandomPair(random, type_1, random.Flip(), type_2, random.Flip());
     const Vector3d away = random.LogUniform(10, is_double ? 1e6 : 1e3) * random.UnitVector();

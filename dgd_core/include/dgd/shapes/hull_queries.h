@@ -81,7 +81,7 @@ void AddSupportFace(const ConvexHull& hull, VertexId vertex, const Vector3<S>& d
     for (const Eigen::Vector3d& end : hull.vertices) face.Add(end.template cast<S>());
     return;
   }
-  const Eigen::Vector3d& d = direction.template cast<double>();
+  const Eigen::Vector3d d = direction.template cast<double>();
   const auto first_around = static_cast<std::size_t>(hull.vertex_start[vertex]);
   const auto end_around = static_cast<std::size_t>(hull.vertex_start[vertex + 1]);
   auto best_facet = static_cast<std::size_t>(hull.vertex_facets[first_around]);
