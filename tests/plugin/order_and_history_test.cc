@@ -64,7 +64,8 @@ TEST(PairOrder, BodiesThatPassEachOther_GoOnFromTheLastQuery) {
   Dispatching dispatching(Route::kConfiguration);
   btBoxShape box(Vec(0.25, 0.25, 0.25));
   PairQuery pair(dispatching.dispatcher(), box, box);
-  for (double x = -0.2; x <= 0.2; x += 0.01) {
+  for (int step = -20; step <= 20; ++step) {
+    const double x = 0.01 * step;
     pair.SetPoses(MakeTransform(Eigen::Matrix3d::Identity(), {0, 0, 0}),
                   MakeTransform(Eigen::Matrix3d::Identity(), {x, -x, 0.499}));
     const std::vector<Contact> contacts = pair.Step();
