@@ -160,7 +160,7 @@ TEST(TimeOfImpact, NotANumberAnywhere_IsInvalid) {
   const auto ball = Sphere(0.5);
   const Motion<double> away = Straight({2, 0, 0}, {0, 0, 0});
   for (const double bad : {nan, inf, -inf}) {
-    for (Motion<double> motion :
+    for (const Motion<double>& motion :
          {Straight({bad, 0, 0}, {0, 0, 0}), Straight({0, 0, 0}, {0, bad, 0}), Turning({0, 0, 0}, {0, 0, bad})}) {
       EXPECT_EQ(TimeOfImpact(ball, motion, ball, away).status, Status::kInvalidInput);
       EXPECT_EQ(TimeOfImpact(ball, away, ball, motion).status, Status::kInvalidInput);

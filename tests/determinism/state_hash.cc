@@ -1,6 +1,7 @@
 // state_hash: hashes of a scene's state on our narrowphase, second by second, one line each, to be compared between
 // builds (tests/determinism/compare_builds.sh).
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
@@ -45,7 +46,7 @@ int main() try {
   const dgd_demos::Scene scene = dgd_demos::LoadSceneFor(dgd_demos::FindData("scenes/polytopes_50.json"), std::nullopt);
   const std::vector<dgd_demos::Body> bodies = dgd_demos::MakeBodies(scene, kSeed);
   dgd_demos::World world(scene, bodies, dgd_demos::Narrowphase::kDgd);
-  const int steps = dgd_demos::StepCount(scene), steps_per_second = static_cast<int>(1 / scene.time_step + 0.5);
+  const int steps = dgd_demos::StepCount(scene), steps_per_second = static_cast<int>(std::lround(1 / scene.time_step));
   Print(0, world);
   for (int step = 1; step <= steps; ++step) {
     world.Step();
