@@ -2,7 +2,7 @@
 # Static checks: cppcheck, and clang-tidy with the list of .clang-tidy.
 #
 #   sh tests/static_checks.sh               of the two libraries; some minutes
-#   sh tests/static_checks.sh --all         of programs and tests as well; half an hour
+#   sh tests/static_checks.sh --all         of programs and tests as well; over an hour
 #   sh tests/static_checks.sh --quick       cppcheck alone, of all; ten seconds, as in continuous integration
 #   sh tests/static_checks.sh FILE.cc...    of these
 #
