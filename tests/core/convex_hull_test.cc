@@ -331,8 +331,10 @@ TEST(ConvexHull, Centroid_OfKnownSolids) {
 
 Points Grid(int count) {
   Points points;
-  for (int i = 0; i < count * count * count; ++i) {
-    points.push_back(Vector3d(i % count, i / count % count, i / count / count) / (count - 1));
+  for (int z = 0; z < count; ++z) {
+    for (int y = 0; y < count; ++y) {
+      for (int x = 0; x < count; ++x) points.push_back(Vector3d(x, y, z) / (count - 1));
+    }
   }
   return points;
 }

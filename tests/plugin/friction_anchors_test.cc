@@ -82,7 +82,7 @@ TEST_F(FrictionAnchors, BoxOnSlope_StaysBelowTheFrictionAngleAndSlidesAbove) {
 // What Bullet's own anchors would hold back by where it stood.
 TEST_F(FrictionAnchors, RollingBodies_RollAsFarAsWithout) {
   for (const bool is_ball : {true, false}) {
-    double way[2];
+    double way[2] = {};
     for (const bool anchors : {true, false}) {
       TestWorld world(Route::kConfiguration, With(anchors));
       UseTwoFrictionDirections(world);
@@ -136,7 +136,7 @@ bool MakeBelt(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
 TEST_F(FrictionAnchors, BoxOnBelt_IsCarriedAsFarAsWithout) {
   const ContactAddedCallback before = gContactAddedCallback;
   gContactAddedCallback = MakeBelt;
-  double way[2];
+  double way[2] = {};
   for (const bool anchors : {true, false}) {
     TestWorld world(Route::kConfiguration, With(anchors));
     UseTwoFrictionDirections(world);

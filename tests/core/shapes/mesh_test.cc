@@ -71,7 +71,11 @@ TEST(Mesh, Support_IsHighestOnMergedFacets) {
     const double angle = 2 * std::numbers::pi * i / 200;
     for (const double z : {-1.0, 1.0}) prism.emplace_back(std::cos(angle), std::sin(angle), z);
   }
-  for (int i = 0; i < 6 * 6 * 6; ++i) grid.emplace_back(i % 6 / 5.0, i / 6 % 6 / 5.0, i / 36 / 5.0);
+  for (int z = 0; z < 6; ++z) {
+    for (int y = 0; y < 6; ++y) {
+      for (int x = 0; x < 6; ++x) grid.emplace_back(x / 5.0, y / 5.0, z / 5.0);
+    }
+  }
   for (int i = 0; i < 20; ++i) {
     SCOPED_TRACE(i);
     CheckHeights<double>(Turned(prism, random), random);
