@@ -16,7 +16,6 @@ using dgd_test::AnyPair;
 using dgd_test::Limits;
 using dgd_test::NameOf;
 using dgd_test::PairNumbers;
-using dgd_test::PoseNumbers;
 using dgd_test::Tally;
 using dgd_test::Which;
 
