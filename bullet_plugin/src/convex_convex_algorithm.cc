@@ -82,7 +82,7 @@ void Swap(dgd::ContactPatch<double>& patch, dgd::Result<double>& result) {
   result.normal = -result.normal;
 }
 
-/// For what is written to.
+/// Has memory bring what will be written to.
 void Prefetch(const void* begin, std::size_t size) {
   constexpr std::size_t kLine = 64;
   constexpr int kForWriting = 1;

@@ -1,7 +1,7 @@
 // Pairs are visited in nearly the same order in each step, and in a world of thousands no cache holds them all: what
-// came after a pair in the last step is what memory can be asked for while this one is worked on. A heap of 3000 boxes
-// takes a quarter less time by that: Bullet's call alone, which begins with the pair's virtual table, had waited for
-// memory as long as it takes to tell that a pair is apart.
+// came after a pair in the last step is what memory can be asked for while this one is worked on. The narrowphase of a
+// heap of 3000 boxes takes a quarter less time by that: Bullet's call alone, which begins with the pair's virtual
+// table, had waited for 5 % of the whole step (perf). To ask for more than one pair ahead brings no more.
 #pragma once
 
 #include <array>

@@ -235,7 +235,9 @@ std::vector<btVector3> VoronoiCell(const std::vector<btVector3>& sites, std::siz
     add_plane(normal, normal.dot(nearest[i] + sites[own]) / 2);
   }
   btGeometryUtil::getVerticesFromPlaneEquations(planes, corners);
-  return {&corners[0], &corners[0] + corners.size()};
+  std::vector<btVector3> list;
+  for (int i = 0; i < corners.size(); ++i) list.push_back(corners[i]);
+  return list;
 }
 
 /// A wall that is broken already, and a ball that shows it.

@@ -163,6 +163,18 @@ TEST(AngularTolerance, TiltedBox_IsOnAnEdgeOnceItsFaceCountsAsOne) {
   EXPECT_LT(contacts_with(0.01), 4U);
 }
 
+TEST(GeometryMode, Bullets_BoxStandsOnAnEdgeThatIsRoundedByItsMargin) {
+  btBoxShape box(Vec(0.5, 0.5, 0.5)), floor(Vec(5, 5, 1));
+  const btTransform on_edge =
+      MakeTransform(Eigen::AngleAxisd(kPi / 4, Vector::UnitX()).toRotationMatrix(), {0, 0, std::sqrt(2) * 0.5});
+  // The default, and what sharpens it.
+  for (const double margin : {0.04, 0.001}) {
+    box.setMargin(btScalar(margin));
+    EXPECT_NEAR(DeepestOf({}, box, floor, on_edge, At(0, 0, -1)).depth, (std::sqrt(2) - 1) * margin, kLength);
+    EXPECT_NEAR(DeepestOf({}, box, floor, At(0, 0, 0.499), At(0, 0, -1)).depth, -0.001, kLength);
+  }
+}
+
 TEST(GeometryMode, Sharp_IsTheShapeWithoutItsRounding) {
   dgd_bullet::Options sharp;
   sharp.geometry_mode = dgd_bullet::GeometryMode::kSharp;

@@ -8,7 +8,6 @@
 namespace dgd_test {
 
 /// Adds a square of `cells` by `cells` squares about the origin, of two triangles each.
-/// @param cells   Even.
 /// @param pitch   Side of a square, metres.
 /// @param height  double(double x, double y): z of the corner at (x, y), metres.
 template <class Height>

@@ -18,8 +18,8 @@ constexpr double kFall = 5;         // Height that bodies fall from, m.
 constexpr int kStepsToReplace = 6;  // A tenth of a second.
 constexpr double kDensity = 500;    // kg of a body of 1 m.
 
-/// Half the paddle's length, m. It leaves more to the walls than any body is wide: a kinematic body yields to nothing,
-/// and what it presses against a wall leaves the pit in the end, whatever finds the contacts.
+/// Half the paddle's length, m. It leaves 1.2 m to the walls, and no body is wider than 1 m: a kinematic body yields to
+/// nothing, and what it presses against a wall leaves the pit in the end, whatever finds the contacts.
 constexpr double kPaddle = 0.6 * kPit;
 
 }  // namespace

@@ -89,7 +89,7 @@ class NearestSimplex {
       weights[1] = WeightOfSecond<S>(points_[0].point, points_[1].point);
       weights[0] = 1 - weights[1];
     }
-    KeepWeighty(weights);
+    TakeWeights(weights);
   }
 
   /// Adds a point, and keeps what of the hull of all is nearest to the origin and has that point.
@@ -114,7 +114,7 @@ class NearestSimplex {
       of_nearest = weights;
     }
     points_[replaced] = added;
-    KeepWeighty(of_nearest);
+    TakeWeights(of_nearest);
   }
 
   /// Unit vector from the nearest point to the origin, which is not on the simplex: across that, so that it keeps its
@@ -154,8 +154,8 @@ class NearestSimplex {
   }
 
  private:
-  /// Drops the points without weight in the nearest one, and finds that.
-  void KeepWeighty(const std::array<S, 3>& weights) {
+  /// Finds the nearest point by its weights, and drops the points without one.
+  void TakeWeights(const std::array<S, 3>& weights) {
     const std::size_t size = size_;
     size_ = 0;
     nearest_.setZero();
