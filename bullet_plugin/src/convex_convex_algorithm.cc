@@ -179,9 +179,9 @@ struct ConvexConvexAlgorithm::Query {
 
   // The answer.
   dgd::Result<double> result;
-  bool is_by_last_normal = false;    // Nothing was searched.
   bool has_growth_distance = false;  // Else the signed distance, or a plane between the shapes.
-  dgd::FacingFaces<double> facing;   // Along the result's normal, if that was the last one and has contacts.
+  bool has_facing = false;           // As what proved the signed distance.
+  dgd::FacingFaces<double> facing;   // Along the result's normal.
 };
 
 std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObjectWrapper* body_0,
@@ -246,20 +246,21 @@ bool ConvexConvexAlgorithm::IsCalm(const PairMotion& motion) const {
 }
 
 void ConvexConvexAlgorithm::FindNormal(Query& query) {
-  query.is_by_last_normal =
-      face_holder_ != dgd::FaceHolder::kNone &&
-      FollowFace(query.shape_a, query.shape_b, query.settings, narrowphase_.options().angular_tolerance, face_holder_,
-                 warm_start_, query.facing, query.result);
-  if (query.is_by_last_normal) return;
-  face_holder_ = dgd::FaceHolder::kNone;
-  const bool has_followed = query.wants_least && may_be_apart_ &&
-                            FollowDistance(query.shape_a, query.shape_b, query.settings, warm_start_, query.result);
-  query.has_growth_distance = !has_followed;
-  if (!has_followed) {
+  const double angular_tolerance = narrowphase_.options().angular_tolerance;
+  bool is_known = query.wants_least && FollowContact(query.shape_a, query.shape_b, query.settings, angular_tolerance,
+                                                     face_holder_, warm_start_, query.facing, query.result);
+  query.has_facing = is_known && query.facing.overlap.size > 0;
+  if (!is_known) {
+    face_holder_ = dgd::FaceHolder::kNone;
+    is_known = query.wants_least && may_be_apart_ &&
+               FollowDistance(query.shape_a, query.shape_b, query.settings, warm_start_, query.result);
+  }
+  query.has_growth_distance = !is_known;
+  if (!is_known) {
     MoveCentersTogether(query.shape_a, query.shape_b);
     query.result = SolvePair(query.shape_a, query.shape_b, query.settings, warm_start_);
   }
-  may_be_apart_ = has_followed || query.result.status == dgd::Status::kSeparated || query.result.separation > 0;
+  may_be_apart_ = is_known || query.result.status == dgd::Status::kSeparated || query.result.separation > 0;
 }
 
 dgd::ContactPatch<double> ConvexConvexAlgorithm::FindContactPatch(Query& query) {
@@ -276,7 +277,7 @@ dgd::ContactPatch<double> ConvexConvexAlgorithm::FindContactPatch(Query& query) 
   }
   const Options& options = narrowphase_.options();
   if (!options.contact_patch) return WitnessOnly(result);
-  if (!query.is_by_last_normal) {
+  if (!query.has_facing) {
     FindFacingFaces(query.shape_a, query.shape_b, result, options.angular_tolerance, query.facing);
     if (query.wants_least && may_be_apart_) face_holder_ = HolderOf(query.facing);
   }

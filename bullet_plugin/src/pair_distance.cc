@@ -1,5 +1,8 @@
 #include "pair_distance.h"
 
+#include <type_traits>
+
+#include "dgd/boxes_apart.h"
 #include "dgd/signed_distance.h"
 #include "pair_visit.h"
 
@@ -8,6 +11,9 @@ namespace {
 
 /// Of the tolerance.
 constexpr double kLeastGain = 0.1;
+
+template <class Set>
+constexpr bool kIsBox = std::is_same_v<Set, dgd::RoundedSet<dgd::Box<double>>>;
 
 void Take(const dgd::SignedDistanceResult<double>& turned, dgd::Result<double>& result) {
   result.normal = turned.normal;
@@ -69,17 +75,25 @@ bool FollowDistance(const PosedShape& shape_a, const PosedShape& shape_b, const 
                    });
 }
 
-bool FollowFace(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Settings<double>& settings,
-                double angular_tolerance, dgd::FaceHolder holder, dgd::WarmStart<double>& warm_start,
-                dgd::FacingFaces<double>& facing, dgd::Result<double>& result) {
+bool FollowContact(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Settings<double>& settings,
+                   double angular_tolerance, dgd::FaceHolder& holder, dgd::WarmStart<double>& warm_start,
+                   dgd::FacingFaces<double>& facing, dgd::Result<double>& result) {
   return VisitPair(shape_a, shape_b, settings,
                    [&]<class SetA, class SetB>([[maybe_unused]] const SetA& set_a, [[maybe_unused]] const SetB& set_b,
                                                [[maybe_unused]] const dgd::Settings<double>& for_pair) {
                      // What only Bullet can evaluate shows no faces.
                      if constexpr (kIsErased<SetA>) {
                        return false;
+                     } else if constexpr (kIsBox<SetA> && kIsBox<SetB>) {
+                       const bool is_certain =
+                           TakeIfCertain(dgd::FollowBoxes(set_a, shape_a.pose, set_b, shape_b.pose, for_pair,
+                                                          angular_tolerance, holder, warm_start, facing),
+                                         result);
+                       if (is_certain) holder = dgd::HolderOf(facing);
+                       return is_certain;
                      } else {
-                       return TakeIfCertain(dgd::FollowFace(set_a, shape_a.pose, set_b, shape_b.pose, for_pair,
+                       return holder != dgd::FaceHolder::kNone &&
+                              TakeIfCertain(dgd::FollowFace(set_a, shape_a.pose, set_b, shape_b.pose, for_pair,
                                                             angular_tolerance, holder, warm_start, facing),
                                             result);
                      }

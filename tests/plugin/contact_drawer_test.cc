@@ -68,10 +68,10 @@ TEST(ContactDrawer, Patch_IsOutlinedOnBothBodiesWithItsNormals) {
 
 TEST(ContactDrawer, Text_TellsSeparationAndBounds) {
   Recorder recorder(btIDebugDraw::DBG_DrawText);
-  ShowCube(recorder, -0.002);
+  ShowCube(recorder, -0.1);  // Beyond the margins, where two boxes do without a growth distance.
   EXPECT_TRUE(recorder.lines.empty());
   ASSERT_EQ(recorder.texts.size(), 1U);
-  EXPECT_NE(recorder.texts[0].find("-2 mm, growth distance 0."), std::string::npos) << recorder.texts[0];
+  EXPECT_NE(recorder.texts[0].find("-100 mm, growth distance 0."), std::string::npos) << recorder.texts[0];
 }
 
 TEST(ContactDrawer, NoContactOrNoSuchMode_DrawsNothing) {

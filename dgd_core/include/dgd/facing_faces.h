@@ -119,23 +119,15 @@ class ProjectedFace {
   bool is_polygon_ = false;
 };
 
-/// Keeps the part of `subject` (polygon, segment or point) on the inner side of the line from a to b
-/// (Sutherland-Hodgman).
-/// @param orientation  +1 if the clipping polygon runs counterclockwise, -1 if clockwise.
+/// On which side of a line each corner is, and how far, in any unit: inside if not negative.
+template <class S>
+using Sides = std::array<S, CornerList<S>::kCapacity>;
+
+/// Keeps the part of `subject` (polygon, segment or point) that is inside (Sutherland-Hodgman).
 /// @return false, and `clipped` is left as it was, if that is all of it.
 template <class S>
-bool ClipByLine(const Vector3<S>& a, const Vector3<S>& b, S orientation, const CornerList<S>& subject,
-                CornerList<S>& clipped) {
-  const S dx = orientation * (b.x() - a.x()), dy = orientation * (b.y() - a.y());
-  std::array<S, CornerList<S>::kCapacity> sides;
-  bool all_inside = true;
-  for (int i = 0; i < subject.size; ++i) {
-    const S side = dx * (subject[i].y - a.y()) - dy * (subject[i].x - a.x());
-    sides[static_cast<std::size_t>(i)] = side;
-    all_inside = all_inside && side >= 0;
-  }
-  if (all_inside) return false;
-
+bool KeepInside(const CornerList<S>& subject, const Sides<S>& sides, CornerList<S>& clipped) {
+  if (std::all_of(sides.begin(), sides.begin() + subject.size, [](S side) { return side >= 0; })) return false;
   clipped.size = 0;
   const bool closed = subject.size > 2;
   for (int i = 0; i < subject.size; ++i) {
@@ -154,6 +146,20 @@ bool ClipByLine(const Vector3<S>& a, const Vector3<S>& b, S orientation, const C
     }
   }
   return true;
+}
+
+/// Keeps the part of `subject` on the inner side of the line from a to b.
+/// @param orientation  +1 if the clipping polygon runs counterclockwise, -1 if clockwise.
+/// @return as KeepInside().
+template <class S>
+bool ClipByLine(const Vector3<S>& a, const Vector3<S>& b, S orientation, const CornerList<S>& subject,
+                CornerList<S>& clipped) {
+  const S dx = orientation * (b.x() - a.x()), dy = orientation * (b.y() - a.y());
+  Sides<S> sides;
+  for (int i = 0; i < subject.size; ++i) {
+    sides[static_cast<std::size_t>(i)] = dx * (subject[i].y - a.y()) - dy * (subject[i].x - a.x());
+  }
+  return KeepInside(subject, sides, clipped);
 }
 
 /// The overlap of a face (polygon, segment or point) with a polygon. `subject_is_1` tells whose heights the subject

@@ -27,6 +27,7 @@ class Box {
     }
     return support;
   }
+  const Vector<S, L>& HalfExtents() const { return half_extents_; }
   const Vector<S, L>& Center() const { return center_; }
   S Inradius() const { return half_extents_.minCoeff(); }
   /// See SpreadCore.
