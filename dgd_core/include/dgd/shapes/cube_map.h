@@ -1,7 +1,7 @@
 // Directions in space by the cells of a cube about the origin, whose faces are grids: near directions share a cell.
 #pragma once
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -13,22 +13,25 @@ namespace dgd {
 template <class S>
 class CubeMap {
  public:
-  /// @param least_size  Cells that are wanted at least.
+  /// @param least_size  Cells that are wanted at least; below 2^31.
   explicit CubeMap(std::size_t least_size) {
     while (Size() < least_size) ++side_;
+    half_side_ = S(0.5) * S(side_);
+    last_place_ = S(side_ - 1);
   }
 
-  std::size_t Size() const { return 6 * side_ * side_; }
+  std::size_t Size() const { return std::size_t(6) * side_ * side_; }
 
   /// The cell, below Size(), that a direction of any length points to; some cell if it is 0 or not finite.
   std::size_t CellOf(const Vector3<S>& direction) const {
-    const Vector3<S> lengths = direction.cwiseAbs();
-    std::size_t axis = lengths.y() > lengths.x() ? 1 : 0;
-    if (lengths.z() > std::max(lengths.x(), lengths.y())) axis = 2;
-    const S height = direction[Index(axis)], per_cell = S(0.5) * S(side_) / std::abs(height);
-    const std::size_t face = 2 * axis + (height < 0 ? 1 : 0);
-    const std::size_t row = Place(direction[Index((axis + 1) % 3)] * per_cell);
-    return (face * side_ + row) * side_ + Place(direction[Index((axis + 2) % 3)] * per_cell);
+    constexpr std::array<int, 3> kNext = {1, 2, 0}, kPrevious = {2, 0, 1};
+    const S x = std::abs(direction.x()), y = std::abs(direction.y()), z = std::abs(direction.z());
+    const bool is_above_x = y > x;
+    const unsigned axis = z > (is_above_x ? y : x) ? 2U : is_above_x ? 1U : 0U;
+    const S height = direction[static_cast<int>(axis)], per_cell = half_side_ / std::abs(height);
+    const unsigned face = 2 * axis + (height < 0 ? 1U : 0U);
+    const unsigned row = Place(direction[kNext[axis]] * per_cell);
+    return (face * side_ + row) * side_ + Place(direction[kPrevious[axis]] * per_cell);
   }
 
   /// A direction into the middle of a cell, of length 1 to sqrt(3).
@@ -46,13 +49,16 @@ class CubeMap {
   static Eigen::Index Index(std::size_t axis) { return static_cast<Eigen::Index>(axis); }
 
   /// @param across  From the middle of the face, in cells.
-  std::size_t Place(S across) const {
-    // In this order 0 for NaN.
-    const S place = std::max(S(0), std::min(S(0.5) * S(side_) + across, S(side_ - 1)));
-    return static_cast<std::size_t>(place);
+  unsigned Place(S across) const {
+    // In this order the last one for NaN, without a branch.
+    S place = half_side_ + across;
+    place = place < last_place_ ? place : last_place_;
+    place = place > 0 ? place : S(0);
+    return static_cast<unsigned>(static_cast<int>(place));
   }
 
-  std::size_t side_ = 1;
+  unsigned side_ = 1;
+  S half_side_ = S(0.5), last_place_ = 0;
 };
 
 }  // namespace dgd
