@@ -71,15 +71,6 @@ TEST(LikelyStart, SkewedSets_NeedFewerIterationsForTheSameAnswer) {
   }
 }
 
-TEST(LikelyStart, LargeSkewedHulls_NeedFewerIterationsForTheSameAnswer) {
-  Random random(7);
-  std::vector<Eigen::Vector3d> points;
-  for (int i = 0; i < 200; ++i) points.push_back(random.UnitVector().cwiseProduct(Eigen::Vector3d(0.1, 0.5, 1.5)));
-  const dgd::RoundedSet hull{dgd::Polytope<double>(points)};
-  const Iterations iterations = Compare(kLikelyStart, hull, hull);
-  EXPECT_LT(iterations.on, 0.9 * iterations.off);
-}
-
 // What a core does not know of itself costs directions at most.
 TEST(LikelyStart, CoresWithoutSpread_GiveTheSameAnswer) {
   const dgd::RoundedSet ellipsoid{dgd::Ellipsoid<double>({0.1, 0.7, 1.5})};

@@ -96,6 +96,34 @@ SupportPoint<typename Core::Scalar, kDimension<Core>> SupportNear(const Core& co
   }
 }
 
+/// A core of many vertices that knows at once which of them is about the farthest.
+///  * GuessSupport(d): a vertex that may be Support(d), or near it.
+///  * IsGuessing(): whether that is faster than Support(d).
+template <class Core>
+concept GuessingCore = ConvexCore<Core> && requires(const Core& core, const VectorOf<Core>& direction) {
+  { core.GuessSupport(direction) } -> std::same_as<SupportPoint<typename Core::Scalar, kDimension<Core>>>;
+  { core.IsGuessing() } -> std::convertible_to<bool>;
+};
+
+template <ConvexCore Core>
+bool IsGuessing([[maybe_unused]] const Core& core) {
+  if constexpr (GuessingCore<Core>) {
+    return core.IsGuessing();
+  } else {
+    return false;
+  }
+}
+
+/// The guess where there is one, else the support point.
+template <ConvexCore Core>
+SupportPoint<typename Core::Scalar, kDimension<Core>> GuessSupport(const Core& core, const VectorOf<Core>& direction) {
+  if constexpr (GuessingCore<Core>) {
+    return core.GuessSupport(direction);
+  } else {
+    return core.Support(direction);
+  }
+}
+
 /// A core that knows about how far it reaches in which direction: a cold query of a curved set begins with a normal
 /// that is guessed from this.
 ///  * Spread(): a symmetric, positive semidefinite matrix M in the core's frame, metres squared, full or diagonal:
@@ -180,6 +208,10 @@ class CoreReference {
   }
   FeatureId PieceCount() const requires SmoothCore<CoreType> { return core_->PieceCount(); }
   auto FaceNormal(FeatureId piece) const requires FacedCore<CoreType> { return core_->FaceNormal(piece); }
+  auto GuessSupport(const VectorOf<CoreType>& direction) const requires GuessingCore<CoreType> {
+    return core_->GuessSupport(direction);
+  }
+  bool IsGuessing() const requires GuessingCore<CoreType> { return core_->IsGuessing(); }
   decltype(auto) Spread() const requires SpreadCore<CoreType> { return core_->Spread(); }
   Scalar SupportValue(const VectorOf<CoreType>& direction) const { return core_->SupportValue(direction); }
   Scalar Distance(const VectorOf<CoreType>& point) const { return core_->Distance(point); }

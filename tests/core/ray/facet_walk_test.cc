@@ -85,7 +85,7 @@ double ShareAnswered(int vertices, double radius, double step) {
       WalkOf<Core> walk(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2);
       dgd::Result<double> result;
       ++asked;
-      if (!walk.SolveFromLast({}, pair.state, result)) {
+      if (!walk.AnswerFromLast({}, pair.state, result)) {
         (void)dgd::GrowthDistance(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2, {}, &pair.state);
         continue;
       }
@@ -104,7 +104,11 @@ TEST(FacetWalk, HullsAfterASmallMotion_AreAnsweredByIt) {
   EXPECT_GT(ShareAnswered<Hull>(14, 0, 0.1), 0.55);
 }
 
-TEST(FacetWalk, RoundedHulls_MostlyAre) { EXPECT_GT(ShareAnswered<Hull>(14, 0.04, 0.005), 0.5); }
+TEST(FacetWalk, RoundedHulls_MostlyAre) {
+  EXPECT_GT(ShareAnswered<Hull>(14, 0.04, 0.005), 0.85);
+  // Half of them by edges.
+  EXPECT_GT(ShareAnswered<Hull>(14, 0.4, 0.005), 0.5);
+}
 
 TEST(FacetWalk, MeshesWhoseFacetsAreSmallerThanTheMotion_AreReachedBySteps) {
   EXPECT_GT(ShareAnswered<dgd::Mesh<double>>(1000, 0, 0.01), 0.65);
@@ -113,18 +117,19 @@ TEST(FacetWalk, MeshesWhoseFacetsAreSmallerThanTheMotion_AreReachedBySteps) {
 /// @param most_infeasible  Metres.
 /// @return the part of the queries that the walk from the ball about the centre answers, as above.
 template <class Core>
-double ShareAnsweredAnew(int least_vertices, int most_vertices, const Vector3d& radii, double most_infeasible) {
+double ShareAnsweredAnew(int least_vertices, int most_vertices, const Vector3d& radii, double most_infeasible,
+                         double radius = 0) {
   Random random(TestSeed());
   int answered = 0;
   const int asked = TestCount(1000, 100);
   for (int i = 0; i < asked; ++i) {
     const auto vertices = [&] { return least_vertices + random.Below(most_vertices - least_vertices + 1); };
     const Core core_1(OnEllipsoid(random, vertices(), radii)), core_2(OnEllipsoid(random, vertices(), radii));
-    MovingPair<Core> pair(random, core_1, core_2);
+    MovingPair<Core> pair(random, core_1, core_2, radius);
     WalkOf<Core> walk(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2);
     dgd::Result<double> result;
     pair.state = {};
-    if (!walk.SolveAnew({}, &pair.state, result)) continue;
+    if (!walk.AnswerAnew({}, &pair.state, result)) continue;
     ++answered;
     EXPECT_EQ(result.iterations, walk.Iterations());
     ExpectCertified(pair, result, most_infeasible);
@@ -133,7 +138,7 @@ double ShareAnsweredAnew(int least_vertices, int most_vertices, const Vector3d& 
     EXPECT_EQ(pair.state.size, 3);
     EXPECT_NEAR((pair.pose_1.rotation * pair.state.normal_1 - result.normal).norm(), 0, 1e-14);
     WalkOf<Core> next(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2);
-    EXPECT_TRUE(next.SolveFromLast({}, pair.state, result));
+    EXPECT_TRUE(next.AnswerFromLast({}, pair.state, result));
     EXPECT_EQ(next.Iterations(), 1);
   }
   return double(answered) / asked;
@@ -142,6 +147,9 @@ double ShareAnsweredAnew(int least_vertices, int most_vertices, const Vector3d& 
 TEST(FacetWalk, HullsAnew_AreAnsweredByIt) {
   EXPECT_GT(ShareAnsweredAnew<Hull>(8, 20, {0.5, 0.4, 0.3}, 1e-14), 0.95);
   EXPECT_GT(ShareAnsweredAnew<dgd::Mesh<double>>(100, 1000, {0.5, 0.4, 0.3}, 1e-14), 0.95);
+  EXPECT_GT(ShareAnsweredAnew<Hull>(8, 20, {0.5, 0.4, 0.3}, 1e-14, 0.04), 0.9);
+  EXPECT_GT(ShareAnsweredAnew<Hull>(8, 20, {0.5, 0.4, 0.3}, 1e-14, 0.4), 0.6);
+  EXPECT_GT(ShareAnsweredAnew<dgd::Mesh<double>>(100, 1000, {0.5, 0.4, 0.3}, 1e-14, 0.04), 0.85);
   // Needles, whose growth distances, and the witness points' last digits with them, are large.
   EXPECT_GT(ShareAnsweredAnew<Hull>(4, 8, {1, 0.05, 0.05}, 1e-13), 0.2);
 }
@@ -150,11 +158,11 @@ class FacetWalkOfAPair : public testing::Test {
  protected:
   bool Solve(const dgd::Settings<double>& settings = {}) {
     return WalkOf<Hull>(pair_.set_1, pair_.pose_1, pair_.set_2, pair_.pose_2)
-        .SolveFromLast(settings, pair_.state, result_);
+        .AnswerFromLast(settings, pair_.state, result_);
   }
   bool SolveAnew(const dgd::Settings<double>& settings = {}) {
     return WalkOf<Hull>(pair_.set_1, pair_.pose_1, pair_.set_2, pair_.pose_2)
-        .SolveAnew(settings, &pair_.state, result_);
+        .AnswerAnew(settings, &pair_.state, result_);
   }
 
   Random random_{TestSeed()};
@@ -179,11 +187,37 @@ TEST_F(FacetWalkOfAPair, ApartByMoreThanIsAsked_IsTheQuerys) {
   EXPECT_FALSE(SolveAnew({.separation_limit = 10}));
 }
 
-TEST_F(FacetWalkOfAPair, AnewWithARadius_IsTheQuerys) {
-  for (const double radius : {0.01, -0.01, std::numeric_limits<double>::quiet_NaN()}) {
+TEST_F(FacetWalkOfAPair, AnewWithANegativeRadius_IsTheQuerys) {
+  for (const double radius : {-0.01, std::numeric_limits<double>::quiet_NaN()}) {
     pair_.set_2.radius = radius;
     EXPECT_FALSE(SolveAnew());
   }
+}
+
+// Two rods across each other: cylinders about edges of either meet, and so do the rods, at the sum of all radii.
+TEST(FacetWalk, RoundedRodsThatCross_LeaveByAnEdge) {
+  const Hull along_x(std::vector<Vector3d>{
+      {-1, 0, 0.1}, {1, 0, 0.1}, {-1, 0.1, 0}, {1, 0.1, 0}, {-1, -0.1, 0}, {1, -0.1, 0}, {-1, 0, -0.1}, {1, 0, -0.1}});
+  Random random(TestSeed());
+  MovingPair<Hull> pair(random, along_x, along_x, 0.2);
+  pair.pose_1 = {};
+  pair.pose_2 = {Eigen::AngleAxisd(1, Vector3d::UnitZ()).toRotationMatrix(), {0.01, 0.02, 1.5}};
+  dgd::Result<double> result;
+  pair.state = {};
+  ASSERT_TRUE(WalkOf<Hull>(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2).AnswerAnew({}, &pair.state, result));
+  EXPECT_NEAR(result.upper_bound, 1.5 / 0.6, 1e-14);
+  EXPECT_NEAR(result.normal.z(), 1, 1e-15);
+  ExpectCertified(pair, result);
+}
+
+TEST_F(FacetWalkOfAPair, UnmovedAndInCollision_NoEvaluation) {
+  pair_.pose_2.translation = pair_.pose_1.translation + Vector3d(0.1, 0.2, 0.1);
+  (void)dgd::GrowthDistance(pair_.set_1, pair_.pose_1, pair_.set_2, pair_.pose_2, {}, &pair_.state);
+  ASSERT_EQ(pair_.state.size, 3);
+  const dgd::CollisionResult<double> result =
+      dgd::DetectCollision(pair_.set_1, pair_.pose_1, pair_.set_2, pair_.pose_2, {}, &pair_.state);
+  EXPECT_EQ(result.status, dgd::Status::kColliding);
+  EXPECT_EQ(result.iterations, 0);
 }
 
 TEST_F(FacetWalkOfAPair, VerticesThatAreNoMore_AreNotRead) {
@@ -201,8 +235,8 @@ TEST_F(FacetWalkOfAPair, CentersThatCoincide_AreTheQuerys) {
   const HullSet twin{core_1_};
   dgd::Result<double> result;
   WalkOf<Hull> walk(twin, pair_.pose_1, twin, pair_.pose_1);
-  EXPECT_FALSE(walk.SolveFromLast({}, pair_.state, result));
-  EXPECT_FALSE(walk.SolveAnew({}, nullptr, result));
+  EXPECT_FALSE(walk.AnswerFromLast({}, pair_.state, result));
+  EXPECT_FALSE(walk.AnswerAnew({}, nullptr, result));
 }
 
 TEST_F(FacetWalkOfAPair, NotANumber_IsTheQuerys) {

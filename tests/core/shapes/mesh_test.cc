@@ -2,6 +2,8 @@
 
 #include <numbers>
 
+#include "dgd/shapes/box.h"
+#include "dgd/shapes/transformed.h"
 #include "support/random_sets.h"
 #include "support/shape_contract.h"
 
@@ -132,6 +134,28 @@ TEST(Mesh, Support_IsHighestOnNearlyFlatHulls) {
     for (dgd::VertexId hint = 0; hint < mesh.VertexCount(); hint += 10) {
       EXPECT_EQ(mesh.Support(up, hint).point.z(), mesh.SupportValue(up));
     }
+  }
+}
+
+// Through what stands between a core and a query, too.
+TEST(Mesh, GuessSupport_IsAVertexAboutAsHighAsAny) {
+  Random random(TestSeed());
+  std::vector<Vector3d> points;
+  for (int i = 0; i < 500; ++i) points.push_back(random.UnitVector());
+  const dgd::Mesh<double> mesh(points);
+  const dgd::CoreReference<dgd::Mesh<double>> reference(mesh);
+  const dgd::Transformed<dgd::CoreReference<dgd::Mesh<double>>> moved(reference, 2 * Eigen::Matrix3d::Identity(),
+                                                                      Vector3d(1, 2, 3));
+  EXPECT_TRUE(dgd::IsGuessing(mesh) && dgd::IsGuessing(reference) && dgd::IsGuessing(moved));
+  EXPECT_FALSE(dgd::IsGuessing(dgd::Polytope<double>(std::vector<Vector3d>(points.begin(), points.begin() + 20))));
+  EXPECT_FALSE(dgd::IsGuessing(dgd::Box<double>({1, 1, 1})));
+  for (int i = 0; i < TestCount(1000); ++i) {
+    const Vector3d direction = random.UnitVector();
+    const dgd::SupportPoint<double> guess = dgd::GuessSupport(reference, direction);
+    ASSERT_LT(guess.feature, mesh.VertexCount());
+    EXPECT_EQ(guess.point, mesh.Vertex(guess.feature));
+    EXPECT_GE(guess.point.dot(direction), 0.97 * mesh.SupportValue(direction));
+    EXPECT_EQ(dgd::GuessSupport(moved, direction).point, 2 * guess.point + Vector3d(1, 2, 3));
   }
 }
 

@@ -4,21 +4,27 @@
 // world's coordinates. A step takes the corners' plane, a support point beyond it, and the one of three triangles with
 // that point that the ray passes through: 0.6 of the time of a step of RayIntersection, which bounds, weighs and
 // remembers as it goes, and takes fewer steps for that (tests/bench/iterations). Where the walk ends is weighed once.
-// What is thin or steep there, or leaves by a rounded edge, is RayIntersection's, which weighs with care.
+// What is thin or steep there is RayIntersection's, which weighs with care.
+//
+// With a radius the triangles are those of the cores, moved by it along their normal. Where the ray passes beside the
+// last one, it leaves by the cylinder about an edge, or beyond that.
 //
 // Two ways to begin:
 //  * Where the last query ended. From frame to frame most pairs keep their facet, or leave by one nearby; where the ray
 //    passes beside it, a point beyond the side that it crosses takes a corner's place.
-//  * Anew, without a radius, in the ball about the centre that is inside the difference (Alg. 1), and from three
-//    directions about the ray: of large hulls, in a metric in which they are about as long as wide.
+//  * Anew, in the ball about the centre that is inside the cores' difference (Alg. 1), and from three directions about
+//    the ray. Of large hulls, no support function is asked while points that are looked up (GuessingCore) are above the
+//    triangle.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "dgd/query_types.h"
+#include "dgd/ray/feature_exit.h"
 #include "dgd/ray/inner_approximation.h"
 #include "dgd/ray/minkowski_difference.h"
 #include "dgd/ray/tolerances.h"
@@ -35,7 +41,7 @@ class FacetWalk {
 
   /// Evaluations of the support functions at most. From the last facet, by measurement: with half as many, warm queries
   /// of hulls of 2000 vertices take 1.4 times as long on average. Anew, meshes of up to 4516 vertices take 27 in one of
-  /// a hundred queries.
+  /// a hundred queries if no points are looked up.
   static constexpr int kMostFromLast = 8;
   static constexpr int kMostAnew = 32;
 
@@ -51,37 +57,42 @@ class FacetWalk {
 
   /// @param state  In and out: three points of a last query. If this fails, it names three to start from all the same.
   /// @return whether the result is optimal; if not, it is of no use.
-  bool SolveFromLast(const Settings<S>& settings, WarmStart<S>& state, Result<S>& result) {
-    const S inradius = set_1_.core.Inradius() + set_2_.core.Inradius() + radius_;
-    if (!IsInRange(ray_.norm(), inradius) || !TakeCorners(state)) return false;
-    const bool is_solved = StepOntoRay() && Walk(settings, kMostFromLast, result);
+  bool AnswerFromLast(const Settings<S>& settings, WarmStart<S>& state, Result<S>& result) {
+    if (!BeginFromLast(state)) return false;
+    const bool is_solved = WalkFromLast<false>(settings) == End::kExit && Report(settings, result);
     RememberCorners(state);
-    if (is_solved) state.normal_1 = Normal1(result);
+    if (is_solved) state.normal_1 = Normal1(result.normal);
     return is_solved;
   }
 
-  /// Without a radius, and for a distance: sets that may be apart by more than is asked for are most often known to be
-  /// after one direction, which RayIntersection bounds from both sides.
+  /// For a distance: sets that may be apart by more than is asked for are most often known to be after one direction,
+  /// which RayIntersection bounds from both sides.
   /// @param state  Out, if there is one.
   /// @return as above.
-  bool SolveAnew(const Settings<S>& settings, WarmStart<S>* state, Result<S>& result) {
-    const S inradius = set_1_.core.Inradius() + set_2_.core.Inradius(), length = ray_.norm();
+  bool AnswerAnew(const Settings<S>& settings, WarmStart<S>* state, Result<S>& result) {
     const bool may_end_apart = settings.separation_limit < std::numeric_limits<S>::infinity();
-    if (radius_ != 0 || may_end_apart || !IsInRange(length, inradius)) return false;
-    const Point axis = ray_ / length;
-    PutCornersInBall(inradius, axis);
-    const bool is_skewed = settings.likely_start && (IsLargeAndSkewed(set_1_.core) || IsLargeAndSkewed(set_2_.core));
-    if (!(is_skewed ? SurroundRayStretched(axis) : SurroundRay(axis, NoStretch()))) return false;
-    normal_ = NormalOfCorners();
-    if (!Walk(settings, kMostAnew, result)) return false;
-    if (state != nullptr) {
-      RememberCorners(*state);
-      state->normal_1 = Normal1(result);
-      state->size = 3;
-      state->known_size = 0;
+    if (may_end_apart || !BeginAnew(false) || WalkOn<false>(settings, kMostAnew) != End::kExit ||
+        !Report(settings, result)) {
+      return false;
     }
+    if (state != nullptr) RememberBasis(result.normal, *state);
     return true;
   }
+
+  /// Whether the sets have a point in common.
+  /// @return whether the result says so; if not, it is of no use.
+  bool AnswerFromLast(const Settings<S>& settings, WarmStart<S>& state, CollisionResult<S>& result) {
+    if (!BeginFromLast(state)) return false;
+    const End end = WalkFromLast<true>(settings);
+    RememberCorners(state);
+    return Report(end, &state, result);
+  }
+  bool AnswerAnew(const Settings<S>& settings, WarmStart<S>* state, CollisionResult<S>& result) {
+    return BeginAnew(true) && Report(WalkOn<true>(settings, kMostAnew), state, result);
+  }
+
+  /// Whether points are looked up: then a walk anew takes less than what RayIntersection goes on to do.
+  bool IsQuickAnew() const { return IsGuessing(set_1_.core) || IsGuessing(set_2_.core); }
 
   int Iterations() const { return iterations_; }
 
@@ -91,8 +102,31 @@ class FacetWalk {
     FeatureId feature_1, feature_2;
   };
 
+  /// Of a walk.
+  enum class End {
+    kExit,    ///< The ray leaves here.
+    kApart,   ///< Of a check: the last normal's plane is between the sets.
+    kCommon,  ///< Of a check: the ray ends below the corners.
+    kNone     ///< RayIntersection's.
+  };
+
   static bool IsInRange(S length, S inradius) {
     return inradius > 0 && length > kCoincidence<S> * inradius && dgd::IsInRange(length, inradius);
+  }
+
+  bool BeginFromLast(const WarmStart<S>& state) {
+    const S inradius = set_1_.core.Inradius() + set_2_.core.Inradius() + radius_;
+    return IsInRange(ray_.norm(), inradius) && TakeCorners(state);
+  }
+
+  bool BeginAnew(bool is_check) {
+    const S inradius = set_1_.core.Inradius() + set_2_.core.Inradius(), length = ray_.norm();
+    if (!(radius_ >= 0) || !IsInRange(length, inradius)) return false;
+    const Point axis = ray_ / length;
+    PutCornersInBall(inradius, axis);
+    const bool has_begun = IsQuickAnew() ? StartByGuesses(axis, is_check) : SurroundRay<&FacetWalk::CornerAlong>(axis);
+    normal_ = NormalOfCorners();
+    return has_begun;
   }
 
   Point FromCenter1(FeatureId feature) const {
@@ -122,12 +156,7 @@ class FacetWalk {
     }
   }
 
-  Corner CornerAlong(const Point& direction) {
-    ++iterations_;
-    const SupportPoint<S> support_1 =
-        SupportNear(set_1_.core, Point(pose_1_.rotation.transpose() * direction), hint_1_);
-    const SupportPoint<S> support_2 =
-        SupportNear(set_2_.core, Point(pose_2_.rotation.transpose() * -direction), hint_2_);
+  Corner CornerOf(const SupportPoint<S>& support_1, const SupportPoint<S>& support_2) const {
     Corner corner;
     corner.point.noalias() = pose_1_.rotation * (support_1.point - set_1_.core.Center());
     corner.point.noalias() -= pose_2_.rotation * (support_2.point - set_2_.core.Center());
@@ -136,129 +165,185 @@ class FacetWalk {
     return corner;
   }
 
+  Corner CornerAlong(const Point& direction) {
+    ++iterations_;
+    return CornerOf(SupportNear(set_1_.core, Point(pose_1_.rotation.transpose() * direction), hint_1_),
+                    SupportNear(set_2_.core, Point(pose_2_.rotation.transpose() * -direction), hint_2_));
+  }
+
+  /// About the farthest one.
+  Corner GuessAlong(const Point& direction) {
+    return CornerOf(GuessSupport(set_1_.core, Point(pose_1_.rotation.transpose() * direction)),
+                    GuessSupport(set_2_.core, Point(pose_2_.rotation.transpose() * -direction)));
+  }
+
   Point NormalOfCorners() const {
     return (corners_[1].point - corners_[0].point).cross(corners_[2].point - corners_[0].point);
   }
 
-  /// From a triangle that the ray may pass beside to one that it passes through.
-  bool StepOntoRay() {
+  template <bool kIsCheck>
+  End WalkFromLast(const Settings<S>& settings) {
+    FindPlane();
+    if (!IsSound()) return End::kNone;
+    const int beside = CornerAcross();
+    is_weighed_ = beside < 0;
+    if (!is_weighed_ && radius_ > 0) {
+      // Mostly by the edge itself.
+      if (const std::optional<End> end = LeaveByEdge<kIsCheck>(settings)) return *end;
+      normal_ = NormalOfCorners();
+    } else if (!is_weighed_ && !StepOntoRay(beside)) {
+      return End::kNone;
+    }
+    return WalkOn<kIsCheck>(settings, kMostFromLast);
+  }
+
+  /// From a triangle that the ray passes beside to one that it passes through.
+  bool StepOntoRay(int beside) {
     for (;;) {
+      if (iterations_ >= kMostFromLast || !StepOver(static_cast<std::size_t>(beside))) return false;
       FindPlane();
       if (!IsSound()) return false;
-      const int across = CornerAcross();
-      if (across < 0) return is_weighed_ = true;
-      // Of rounded sets, the ray mostly leaves by the edge itself.
-      if (radius_ > 0 || iterations_ >= kMostFromLast || !StepOver(static_cast<std::size_t>(across))) return false;
+      beside = CornerAcross();
+      if (beside < 0) return is_weighed_ = true;
     }
   }
 
-  /// The metric in which a set's spread is a ball: lengths are those of T x, where T T is the inverse of the spread.
-  class Stretch {
-   public:
-    explicit Stretch(const Matrix3<S>& spread) : spread_(spread) {
-      const auto x = spread.col(0), y = spread.col(1), z = spread.col(2);
-      inverse_ << y.cross(z), z.cross(x), x.cross(y);
-      volume_sq_ = x.dot(inverse_.col(0));
-      inverse_ /= volume_sq_;
+  /// Of large hulls: whole walks without a support function, as far as looked-up points go. Of 241 to 4516 vertices,
+  /// queries take 0.6 of the time that they take with support points from the first direction on.
+  /// @param is_check  Whether a triangle beyond the ray's end is enough.
+  [[gnu::noinline, gnu::flatten]] bool StartByGuesses(const Point& axis, bool is_check) {
+    // Guesses that raise the triangle by less are left to the support functions; by measurement, with none and 1e-2
+    // queries take as long.
+    constexpr S kWorthwhile = S(1e-3);
+    constexpr int kMost = 16;
+    if (!SurroundRay<&FacetWalk::GuessAlong>(axis)) return false;
+    for (int i = 0; i < kMost; ++i) {
+      normal_ = NormalOfCorners();
+      const S height = radius_ > 0 ? Height<true>() : Height<false>();
+      if (!(height > 0)) return false;
+      if (is_check && normal_.dot(ray_) <= height && LeavesByFacet()) return true;
+      const Corner guess = GuessAlong(normal_);
+      hint_1_ = guess.feature_1;
+      hint_2_ = guess.feature_2;
+      if (!(normal_.dot(guess.point - corners_[0].point) > kWorthwhile * height)) return true;
+      if (!(radius_ > 0 ? Exchange<true>(guess) : Exchange<false>(guess))) return false;
     }
-
-    Point Inverse(const Point& vector) const { return inverse_ * vector; }
-    Point Spread(const Point& vector) const { return spread_ * vector; }
-    /// Of a vector and Inverse() of it.
-    S LengthSq(const Point& vector, const Point& inverse) const { return vector.dot(inverse); }
-    /// By which a cross product grows, if one factor has unit length there.
-    S Turn(S length_sq) const { return 1 / std::sqrt(volume_sq_ * length_sq); }
-
-   private:
-    Matrix3<S> spread_, inverse_;
-    S volume_sq_;
-  };
-
-  /// Of a set that is a ball.
-  struct NoStretch {
-    Point Inverse(const Point& vector) const { return vector; }
-    Point Spread(const Point& vector) const { return vector; }
-    S LengthSq(const Point&, const Point&) const { return 1; }  // Of the ray's axis.
-    S Turn(S) const { return 1; }
-  };
-
-  /// Whether a core is large and much longer than wide. Of the eigenvalues, the squares' mean over the mean's square: 1
-  /// for a ball, 1.6 for half widths as 1 to 1.7 to 3, 3 for a needle.
-  template <class Core>
-  static bool IsLargeAndSkewed(const Core& core) {
-    constexpr VertexId kLarge = 64;
-    constexpr S kSkewed = S(1.2);
-    if (core.VertexCount() <= kLarge) return false;
-    if constexpr (SpreadCore<Core>) {
-      const Matrix3<S>& spread = core.Spread();
-      return 3 * spread.squaredNorm() > kSkewed * spread.trace() * spread.trace();
-    } else {
-      return false;
-    }
-  }
-
-  /// Of large skewed hulls, by the measure of the sets' spread: with 241 and 2000 vertices, ten times as long as thick,
-  /// they take 0.74 of the directions. It takes as long as one of these, or two of small hulls, which would save one.
-  /// Not inlined: with its registers, round hulls take a tenth longer.
-  [[gnu::noinline, gnu::flatten]] bool SurroundRayStretched(const Point& axis) {
-    Matrix3<S> spread = pose_1_.rotation * SpreadOf(set_1_.core) * pose_1_.rotation.transpose();
-    spread += pose_2_.rotation * SpreadOf(set_2_.core) * pose_2_.rotation.transpose();
-    spread /= spread.trace();
-    // Rounding leaves no inverse of what is flat.
-    const bool is_sound = spread.determinant() > kEpsilon<S> * kEpsilon<S>;
-    return is_sound ? SurroundRay(axis, Stretch(spread)) : SurroundRay(axis, NoStretch());
+    return true;
   }
 
   /// Along the ray, and then twice tilted to the far side of the ray from what was found: by more where that was far
   /// away. With three corners near the ray, hulls of 14, 32, 241 and 2000 vertices take 3, 9, 19 and 20 % fewer
   /// directions than with normals from the ball on; with a spread of 1.2 or 2 up to 6 % more than with this one.
-  /// @param metric  All of this is in its lengths; a direction there is T times that here.
+  /// @tparam kAlong  CornerAlong() or GuessAlong().
   /// @return false where rounding leaves no triangle about the ray.
-  template <class Metric>
-  bool SurroundRay(const Point& axis, const Metric& metric) {
+  template <auto kAlong>
+  bool SurroundRay(const Point& axis) {
     constexpr S kSpread = S(1.5);
     // With twice and four times as much, hulls of 241 vertices, ten times as long as thick, take 1 and 3 % more.
     constexpr S kNearSq = S(0.5);
-    const Point along = metric.Inverse(axis);
-    const S length_sq = metric.LengthSq(axis, along);
-    if (!(length_sq > 0)) return false;
-    const Corner first = CornerAlong(along);
-    const S height = along.dot(first.point) / length_sq;
+    const Corner first = (this->*kAlong)(axis);
+    const S height = axis.dot(first.point);
     const Point beside = first.point - height * axis;
-    const Point aside = metric.Inverse(beside);
     // Of skewed sets, what is farthest along the ray is far from it, and so is what is found like that.
-    if (beside.dot(aside) > kNearSq * height * height * length_sq) return Exchange(first);
-    const Corner second = CornerAlong(height * along - kSpread * aside);
-    const S turn = metric.Turn(length_sq);
-    const Point across = turn * axis.cross(second.point - first.point);
-    const S width_sq = across.dot(metric.Spread(across)), side = across.dot(first.point);
-    if (!Exchange(first) || !Exchange(second)) return false;
-    if (!(width_sq > kEpsilon<S> * height * height * length_sq)) return true;
+    if (beside.squaredNorm() > kNearSq * height * height) return Exchange<false>(first);
+    const Corner second = (this->*kAlong)(height * axis - kSpread * beside);
+    const Point across = axis.cross(second.point - first.point);
+    const S width_sq = across.squaredNorm(), side = across.dot(first.point);
+    if (!Exchange<false>(first) || !Exchange<false>(second)) return false;
+    if (!(width_sq > kEpsilon<S> * height * height)) return true;
     // Half the line's length at least, where that nearly meets the ray.
     const S tilt = kSpread * std::max(std::abs(side) / width_sq, S(0.5));
-    return Exchange(CornerAlong(height * along - std::copysign(tilt, side) * across));
+    return Exchange<false>((this->*kAlong)(height * axis - std::copysign(tilt, side) * across));
+  }
+
+  template <bool kIsCheck>
+  End WalkOn(const Settings<S>& settings, int most_iterations) {
+    return radius_ > 0 ? WalkRounded<kIsCheck>(settings, most_iterations)
+                       : Walk<kIsCheck, false>(settings, most_iterations);
+  }
+
+  /// Not inlined: with its registers, a walk without a radius takes a tenth longer.
+  template <bool kIsCheck>
+  [[gnu::noinline, gnu::flatten]] End WalkRounded(const Settings<S>& settings, int most_iterations) {
+    return Walk<kIsCheck, true>(settings, most_iterations);
   }
 
   /// From corners that the ray passes between, and their normal.
-  bool Walk(const Settings<S>& settings, int most_iterations, Result<S>& result) {
+  template <bool kIsCheck, bool kRounded>
+  End Walk(const Settings<S>& settings, int most_iterations) {
     for (;;) {
-      S height = normal_.dot(corners_[0].point);
-      if (radius_ > 0) height += radius_ * normal_.norm();
-      if (!(height > 0)) return false;  // The same corner twice: there is no normal.
+      const S height = Height<kRounded>();
+      if (!(height > 0)) return End::kNone;  // The same corner twice: there is no normal.
+      [[maybe_unused]] S along = 0;
+      if constexpr (kIsCheck) {
+        along = normal_.dot(ray_);
+        if (along <= height && LeavesByFacet()) return End::kCommon;
+      }
       const Corner farthest = CornerAlong(normal_);
-      const S rise = normal_.dot(farthest.point - corners_[0].point);
-      if (rise <= settings.relative_tolerance * height) return Report(settings, rise, result);
-      if (iterations_ >= most_iterations || !Exchange(farthest)) return false;
+      rise_ = normal_.dot(farthest.point - corners_[0].point);
+      if (kIsCheck && along > height + rise_) return EndApart(farthest, along - height - rise_);
+      if (rise_ <= settings.relative_tolerance * height) {
+        if (!kRounded || LeavesByFacet()) return End::kExit;
+        if (iterations_ >= most_iterations) return End::kNone;
+        if (const std::optional<End> end = LeaveByEdge<kIsCheck>(settings)) return *end;
+      } else if (iterations_ >= most_iterations || !Exchange<kRounded>(farthest)) {
+        return End::kNone;
+      }
       normal_ = NormalOfCorners();
     }
   }
 
+  /// @param apart  Of the supporting planes, times the normal's length.
+  End EndApart(const Corner& farthest, S apart) {
+    length_ = normal_.norm();
+    along_ = apart;
+    corners_[0] = farthest;
+    return End::kApart;
+  }
+
+  /// Of the corners' plane, times the normal's length; with a radius, of the plane moved by it.
+  template <bool kRounded>
+  S Height() {
+    S height = normal_.dot(corners_[0].point);
+    if constexpr (kRounded) {
+      const S length = normal_.norm();
+      height += radius_ * length;
+      shift_ = radius_ / length * normal_;
+    }
+    return height;
+  }
+
   /// Of the triangles that the new corner makes with two of the old ones, takes the one that the ray passes through.
+  /// With a radius they are moved by that along the last normal, which is not quite their own: where the ray passes
+  /// beside the old one, the new corner takes the place of the one across from there.
   /// @return false, and the corners as they were, where rounding leaves none.
+  template <bool kRounded>
   bool Exchange(const Corner& added) {
-    const Point across = ray_.cross(added.point);
-    const S turn_0 = across.dot(corners_[0].point), turn_1 = across.dot(corners_[1].point),
-            turn_2 = across.dot(corners_[2].point);
+    if constexpr (kRounded) {
+      const Point across = ray_.cross(added.point + shift_);
+      const auto turn = [&](std::size_t i) { return across.dot(corners_[i].point + shift_); };
+      if (Exchange(added, turn(0), turn(1), turn(2))) return true;
+      FindPlane();
+      const int beside = CornerAcross();
+      if (beside < 0) return false;
+      Replace(static_cast<std::size_t>(beside), added);
+      return true;
+    } else {
+      const Point across = ray_.cross(added.point);
+      const S turn_0 = across.dot(corners_[0].point), turn_1 = across.dot(corners_[1].point),
+              turn_2 = across.dot(corners_[2].point);
+      return Exchange(added, turn_0, turn_1, turn_2);
+    }
+  }
+
+  /// In any place, after which the normal may have to be turned towards the ray.
+  void Replace(std::size_t corner, const Corner& added) {
+    corners_[corner] = added;
+    is_weighed_ = false;
+    if (NormalOfCorners().dot(ray_) < 0) std::swap(corners_[0], corners_[1]);
+  }
+
+  bool Exchange(const Corner& added, S turn_0, S turn_1, S turn_2) {
     if (turn_0 >= 0 && turn_1 <= 0) {
       corners_[2] = added;
     } else if (turn_1 >= 0 && turn_2 <= 0) {
@@ -332,34 +417,109 @@ class FacetWalk {
     return IsSound() && CornerAcross() < 0;
   }
 
+  /// After LeavesByFacet(), with a radius: by the cylinder about the edge that the ray passes beyond. Rarer, and long.
+  /// @return nothing if there is a corner beyond the edge, which takes part now.
+  template <bool kIsCheck>
+  [[gnu::noinline, gnu::flatten]] std::optional<End> LeaveByEdge(const Settings<S>& settings) {
+    for (const Corner& corner : corners_) {
+      if (corner.feature_1 == kNoFeature) return End::kNone;
+    }
+    if (!IsSound()) return End::kNone;
+    const auto beyond = static_cast<std::size_t>(std::ranges::min_element(weights_) - weights_.begin());
+    const std::size_t a = (beyond + 1) % 3, b = (beyond + 2) % 3;
+    const S inradius = set_1_.core.Inradius() + set_2_.core.Inradius();
+    const Matrix3<S> frame = FrameAlong<S>(ray_.normalized());
+    ray_internal::FeatureExit<S, 3> exit;
+    const bool is_left = radius_ > kMinRounding<S> * inradius &&
+                         ray_internal::EdgeExit<S>(frame.transpose() * corners_[a].point,
+                                                   frame.transpose() * corners_[b].point, radius_, exit);
+    if (!is_left || !(exit.normal.z() > kFlat)) return End::kNone;
+    const Point normal = frame * exit.normal;
+    const S height = exit.height * exit.normal.z();
+    const Corner farthest = CornerAlong(normal);
+    const S rise = normal.dot(farthest.point - corners_[a].point);
+    if (rise > settings.relative_tolerance * height) {
+      Replace(beyond, farthest);
+      return std::nullopt;
+    }
+    normal_ = normal;
+    length_sq_ = length_ = 1;
+    height_ = height;
+    along_ = normal.dot(ray_);
+    rise_ = rise;
+    if (kIsCheck && along_ > height + rise) return EndApart(farthest, along_ - height - rise);
+    weights_[beyond] = 0;
+    weights_[a] = exit.weights[0];
+    weights_[b] = exit.weights[1];
+    is_weighed_ = true;
+    return End::kExit;
+  }
+
   bool HasInterior() const {
     return HasCertainInterior(set_1_, set_2_, set_1_.core.Vertex(corners_[0].feature_1),
                               set_2_.core.Vertex(corners_[0].feature_2));
   }
 
+  /// The corners' point by their weights, of set 1 or 2; world, from the set's origin.
+  Point OnSet1(const Point& normal) const {
+    return pose_1_.rotation * Middle(set_1_.core, &Corner::feature_1) + set_1_.radius * normal;
+  }
+  Point OnSet2(const Point& normal) const {
+    return pose_2_.rotation * Middle(set_2_.core, &Corner::feature_2) - set_2_.radius * normal;
+  }
+  template <class Core>
+  Point Middle(const Core& core, FeatureId Corner::*feature) const {
+    Point sum = weights_[0] * core.Vertex(corners_[0].*feature);
+    for (std::size_t i = 1; i < 3; ++i) sum += weights_[i] * core.Vertex(corners_[i].*feature);
+    return sum;
+  }
+
   /// Not inlined: with its registers, a walk takes a tenth longer.
-  /// @param rise  Of the sets' support value over the plane of the corners, times the normal's length.
-  [[gnu::noinline]] bool Report(const Settings<S>& settings, S rise, Result<S>& result) {
+  [[gnu::noinline]] bool Report(const Settings<S>& settings, Result<S>& result) {
     if (!LeavesByFacet() || !HasInterior()) return false;
-    if (along_ - height_ - rise > settings.separation_limit * length_) return false;
+    const S support = height_ + rise_;
+    if (along_ - support > settings.separation_limit * length_) return false;
     const Point normal = normal_ / length_;
-    const auto middle = [&](const auto& core, FeatureId Corner::*feature) {
-      Point sum = weights_[0] * core.Vertex(corners_[0].*feature);
-      for (std::size_t i = 1; i < 3; ++i) sum += weights_[i] * core.Vertex(corners_[i].*feature);
-      return sum;
-    };
-    const Point on_1 = pose_1_.rotation * middle(set_1_.core, &Corner::feature_1) + set_1_.radius * normal;
-    const Point on_2 = pose_2_.rotation * middle(set_2_.core, &Corner::feature_2) - set_2_.radius * normal;
-    const S support = height_ + rise;
     result.normal = normal;
     result.separation = (along_ - support) / length_;
     result.upper_bound = along_ / height_;
     result.lower_bound = along_ / std::max(support, height_);
-    result.witness_1 = pose_1_.translation + on_1;
-    result.witness_2 = pose_2_.translation + on_2;
+    result.witness_1 = pose_1_.translation + OnSet1(normal);
+    result.witness_2 = pose_2_.translation + OnSet2(normal);
     result.iterations = iterations_;
     result.status = Status::kOptimal;
     return IsFinite(result);
+  }
+
+  /// @param state  Out, if there is one.
+  [[gnu::noinline]] bool Report(End end, WarmStart<S>* state, CollisionResult<S>& result) {
+    result.iterations = iterations_;
+    if (end == End::kApart) {
+      const Corner& farthest = corners_[0];
+      result.status = Status::kSeparated;
+      result.normal = normal_ / length_;
+      result.separation = along_ / length_;
+      result.point =
+          pose_1_ * set_1_.core.Vertex(farthest.feature_1) + (set_1_.radius + result.separation / 2) * result.normal;
+    } else {
+      if (end == End::kNone || !LeavesByFacet() || !HasInterior()) return false;
+      result.status = along_ <= height_ ? Status::kColliding : Status::kTouching;
+      result.normal = normal_ / length_;
+      const Point center_1 = pose_1_.rotation * set_1_.core.Center();
+      result.point = pose_1_.translation + center_1 + along_ / height_ * (OnSet1(result.normal) - center_1);
+    }
+    if (!IsFinite(result)) return false;
+    if (state == nullptr) return true;
+    RememberBasis(result.normal, *state);
+    if (end == End::kApart) state->size = 0;
+    return true;
+  }
+
+  void RememberBasis(const Point& normal, WarmStart<S>& state) const {
+    RememberCorners(state);
+    state.normal_1 = Normal1(normal);
+    state.size = 3;
+    state.known_size = 0;
   }
 
   void RememberCorners(WarmStart<S>& state) const {
@@ -369,7 +529,7 @@ class FacetWalk {
     }
   }
 
-  Point Normal1(const Result<S>& result) const { return (pose_1_.rotation.transpose() * result.normal).normalized(); }
+  Point Normal1(const Point& normal) const { return (pose_1_.rotation.transpose() * normal).normalized(); }
 
   /// Twice the area over the longest side's square, and the normal's cosine to the ray. By their inverses, rounding is
   /// magnified.
@@ -387,11 +547,13 @@ class FacetWalk {
   std::array<Corner, 3> corners_;
   FeatureId hint_1_ = kNoFeature, hint_2_ = kNoFeature;
   Point normal_;             // Of the corners, as long as twice the triangle's area.
+  Point shift_;              // By the radius, along the normal.
   bool is_weighed_ = false;  // The ray leaves between the corners, with these weights. What follows is of them, too:
   std::array<S, 3> weights_;
   Point side_1_, side_2_;
   S along_, height_;  // Products of the normal with the ray, and with a point of the plane; with the radius.
   S length_sq_, length_;
+  S rise_;  // Of the sets' support value over the plane of the corners, times the normal's length.
   int iterations_ = 0;
 };
 

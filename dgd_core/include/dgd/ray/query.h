@@ -67,6 +67,25 @@ bool FindLineOfCenters(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2
 template <class Set1, class Set2>
 constexpr bool kHasFacetWalk = kDimension<typename Set1::Core> == 3 && MinkowskiDifference<Set1, Set2>::kIsPolytope;
 
+/// Asks FacetWalk: from the last facet, if there is one, and anew.
+/// @param remaining  The iterations that are left, if it has no answer.
+/// @return whether it has, which the result is then.
+template <class Set1, class Set2, class AnyResult>
+bool AnswerByWalk(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2, const PoseOf<Set1>& pose_2,
+                  const Settings<typename Set1::Scalar>& settings, WarmStartOf<Set1>* warm_start, AnyResult& result,
+                  Settings<typename Set1::Scalar>& remaining) {
+  using Walk = FacetWalk<Set1, Set2>;
+  if (!settings.facet_walk || !settings.rounding || settings.max_iterations <= Walk::kMostAnew) return false;
+  Walk walk(set_1, pose_1, set_2, pose_2);
+  // Of an edge or a corner, RayIntersection goes on.
+  const int size = warm_start != nullptr ? warm_start->size : 0;
+  if (size == 3 && walk.AnswerFromLast(settings, *warm_start, result)) return true;
+  if ((size == 0 || (size == 3 && walk.IsQuickAnew())) && walk.AnswerAnew(settings, warm_start, result)) return true;
+  result = {};
+  remaining.max_iterations -= walk.Iterations();
+  return false;
+}
+
 template <class Set1, class Set2, class Observer>
 [[gnu::flatten]] ResultOf<Set1> GrowthDistance(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
                                                const PoseOf<Set1>& pose_2,
@@ -81,17 +100,7 @@ template <class Set1, class Set2, class Observer>
   Settings<typename Set1::Scalar> remaining = settings;
   // An observer is told of bounds that the walk does not have.
   if constexpr (kHasFacetWalk<Set1, Set2> && std::is_same_v<Observer, const NoObserver>) {
-    using Walk = FacetWalk<Set1, Set2>;
-    if (settings.facet_walk && settings.rounding && settings.max_iterations > Walk::kMostAnew) {
-      Walk walk(set_1, pose_1, set_2, pose_2);
-      const bool has_facet = warm_start != nullptr && warm_start->size == 3;
-      if (has_facet ? walk.SolveFromLast(settings, *warm_start, result)
-                    : walk.SolveAnew(settings, warm_start, result)) {
-        return result;
-      }
-      result = {};
-      remaining.max_iterations -= walk.Iterations();
-    }
+    if (AnswerByWalk(set_1, pose_1, set_2, pose_2, settings, warm_start, result, remaining)) return result;
   }
   RayIntersection<Set1, Set2> query(set_1, pose_1, set_2, pose_2, remaining);
   result.status = query.Solve(Question::kDistance, warm_start, observer);
@@ -138,10 +147,15 @@ CollisionResultOf<Set1> DetectCollision(const Set1& set_1, const PoseOf<Set1>& p
     if (!IsFinite(result)) result.status = Status::kInvalidInput;
     return result;
   }
-  RayIntersection<Set1, Set2> query(set_1, pose_1, set_2, pose_2, settings);
+  Settings<S> remaining = settings;
+  if constexpr (kHasFacetWalk<Set1, Set2>) {
+    if (AnswerByWalk(set_1, pose_1, set_2, pose_2, settings, warm_start, result, remaining)) return result;
+  }
+  RayIntersection<Set1, Set2> query(set_1, pose_1, set_2, pose_2, remaining);
   const NoObserver observer;
   result.status = query.Solve(Question::kCollision, warm_start, observer);
-  result.iterations = query.Iterations();
+  if (result.status == Status::kInvalidInput || result.status == Status::kNoInterior) return result;
+  result.iterations = settings.max_iterations - remaining.max_iterations + query.Iterations();
   switch (result.status) {
     case Status::kSeparated:
       result.normal = query.Normal();

@@ -41,6 +41,12 @@ class Polytope {
     const VertexId vertex = climb_.IsEmpty() ? scan_.Farthest(direction) : climb_.Farthest(direction, hint);
     return {Vertex(vertex), vertex};
   }
+  /// See GuessingCore. Small hulls are not guessed: of 8 to 20 vertices, a scan takes no longer.
+  SupportPoint<S> GuessSupport(const Vector3<S>& direction) const {
+    const VertexId vertex = climb_.IsEmpty() ? scan_.Farthest(direction) : climb_.Start(direction);
+    return {Vertex(vertex), vertex};
+  }
+  bool IsGuessing() const { return !climb_.IsEmpty(); }
   const Vector3<S>& Center() const { return center_; }
   S Inradius() const { return inradius_; }
   /// See SpreadCore.

@@ -66,6 +66,10 @@ class Transformed {
   SupportPoint<S, L> Support(const VectorS& direction, FeatureId hint) const requires HintedCore<CoreType> {
     return Image(core_.Support(DirectionInCore(direction), hint));
   }
+  SupportPoint<S, L> GuessSupport(const VectorS& direction) const requires GuessingCore<CoreType> {
+    return Image(core_.GuessSupport(DirectionInCore(direction)));
+  }
+  bool IsGuessing() const requires GuessingCore<CoreType> { return core_.IsGuessing(); }
   VectorS Center() const { return Image(VectorS(core_.Center())); }
   S Inradius() const { return inradius_; }
   /// See SpreadCore.

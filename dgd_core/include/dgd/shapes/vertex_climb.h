@@ -31,10 +31,13 @@ class VertexClimb {
 
   bool IsEmpty() const { return offsets_.empty(); }
 
+  /// A vertex that is about the farthest. @pre !IsEmpty().
+  VertexId Start(const Vector3<S>& direction) const { return starts_[cells_.CellOf(direction)]; }
+
   /// A vertex of largest <direction, x>, but for rounding; some vertex if the direction is NaN. @pre !IsEmpty().
   /// @param hint  A vertex that is likely to be near; any number will do.
   VertexId Farthest(const Vector3<S>& direction, VertexId hint) const {
-    VertexId vertex = hint < offsets_.size() ? hint : starts_[cells_.CellOf(direction)];
+    VertexId vertex = hint < offsets_.size() ? hint : Start(direction);
     const S rounding = plateau_ * direction.template lpNorm<Eigen::Infinity>();
     // Heights are those above the centre: far from the origin, the others' rounding would hide short edges.
     S height = direction.dot(offsets_[vertex]);
@@ -53,6 +56,9 @@ class VertexClimb {
 
   /// Heights differ for certain by more than this part of the largest offset.
   static constexpr S kHeightRounding = 4 * std::numeric_limits<S>::epsilon();
+  /// Of the table of starts. By measurement, of 241 to 4516 vertices: with 2 and 8, cold queries take 1.06 and 0.97 of
+  /// the time.
+  static constexpr std::size_t kCellsPerVertex = 4;
   /// Vertices of a plateau that are looked at, at most.
   static constexpr int kMaxPlateau = 32;
 
@@ -129,7 +135,7 @@ class VertexClimb {
 
   /// Each by a walk from the start of the cell before.
   void ChooseStarts() {
-    cells_ = CubeMap<S>(2 * offsets_.size());
+    cells_ = CubeMap<S>(kCellsPerVertex * offsets_.size());
     VertexId start = 0;
     for (std::size_t cell = 0; cell < cells_.Size(); ++cell) {
       start = Farthest(cells_.MiddleOf(cell), start);
@@ -141,8 +147,7 @@ class VertexClimb {
   S plateau_ = 0;                    // Rounding of the heights, for a direction of unit size; metres.
   std::vector<std::size_t> start_;   // Vertex -> its neighbours, as in ConvexHull.
   std::vector<Neighbour> neighbours_;
-  /// For directions of each cell a vertex from which the walk is short. With two cells a vertex it is a step and a
-  /// half on average, with one 5 % longer, with eight not shorter.
+  /// For directions of each cell a vertex from which the walk is short.
   CubeMap<S> cells_{0};
   std::vector<VertexId> starts_;
 };
