@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 
 namespace dgd_bench {
 
@@ -34,6 +35,19 @@ void BenchWorld::AddGround(double half_width) {
   Add(Make<btBoxShape>(Vec(half_width, half_width, 5)), 0, At(Vec(0, 0, -5)));
 }
 
+void BenchWorld::TakePlacesFrom(const BenchWorld& other) {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    btRigidBody& body = *bodies_[i];
+    const btRigidBody& from = *other.bodies_[i];
+    if (body.isStaticObject()) continue;
+    body.setCenterOfMassTransform(from.getCenterOfMassTransform());
+    body.setInterpolationWorldTransform(from.getCenterOfMassTransform());
+    body.setLinearVelocity(from.getLinearVelocity());
+    body.setAngularVelocity(from.getAngularVelocity());
+    body.activate(true);
+  }
+}
+
 StepCost BenchWorld::Step() {
   const auto start = std::chrono::steady_clock::now();
   world_.stepSimulation(btScalar(kTimeStep), 0);
@@ -45,6 +59,7 @@ WorldState BenchWorld::State() const {
   constexpr double kInto = 0.3;  // A centre of mass this far below the floor is not just a body deep in it.
   WorldState state;
   double squares = 0;
+  std::vector<double> speeds;
   for (const auto& body : bodies_) {
     if (body->isStaticObject()) continue;
     const btVector3& at = body->getWorldTransform().getOrigin();
@@ -53,8 +68,13 @@ WorldState BenchWorld::State() const {
     state.lost += std::isfinite(speed) && height > -kInto ? 0 : 1;
     state.awake += body->isActive() ? 1 : 0;
     squares += speed * speed;
+    speeds.push_back(speed);
   }
-  state.rms_speed = std::sqrt(squares / std::max(1, MovingBodies()));
+  if (speeds.empty()) return state;
+  state.rms_speed = std::sqrt(squares / double(speeds.size()));
+  const auto ninth = speeds.begin() + static_cast<std::ptrdiff_t>(9 * speeds.size() / 10);
+  std::nth_element(speeds.begin(), ninth, speeds.end());
+  state.most_speed = *ninth;
   return state;
 }
 

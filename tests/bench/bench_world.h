@@ -23,7 +23,8 @@ struct StepCost {
 
 /// How the moving bodies are.
 struct WorldState {
-  double rms_speed = 0;  ///< m/s
+  double rms_speed = 0;   ///< m/s
+  double most_speed = 0;  ///< Of nine in ten of them, at most; m/s
   int awake = 0;
   int lost = 0;  ///< Below the floor, or not finite.
 };
@@ -54,6 +55,9 @@ class BenchWorld {
   /// A static box with its top at z = 0.
   void AddGround(double half_width);
   void SetFloor(Floor floor) { floor_ = std::move(floor); }
+
+  /// The bodies' poses and speeds from a world that was built alike; all are awake then.
+  void TakePlacesFrom(const BenchWorld& other);
 
   /// A step of a 60th of a second.
   StepCost Step();

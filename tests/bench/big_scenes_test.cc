@@ -21,8 +21,15 @@ TEST_P(BigScenesTest, FirstSeconds_NoBodyIsLost) {
   EXPECT_EQ(Count(outcome.output, "moving bodies"), 4) << outcome.output;
 }
 
+TEST_P(BigScenesTest, Settled_BothGoOnFromThere) {
+  const Outcome outcome = RunProgram(GetParam(), "--settle 1 --duration 0.1 --scenes rubble");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  // Of a wall that was just built, and stands, not a tenth moves.
+  EXPECT_EQ(Count(outcome.output, "     0.10     0.10"), 2) << outcome.output;
+}
+
 TEST_P(BigScenesTest, WrongArguments_EndWithStatusTwo) {
-  for (const char* arguments : {"--duration 0", "--scenes none"}) {
+  for (const char* arguments : {"--duration 0", "--settle -1", "--scenes none"}) {
     EXPECT_EQ(RunProgram(GetParam(), arguments).status, 2) << arguments;
   }
 }

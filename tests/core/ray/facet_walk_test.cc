@@ -177,14 +177,31 @@ TEST_F(FacetWalkOfAPair, Unmoved_OneEvaluation) {
   EXPECT_EQ(result_.iterations, 1);
 }
 
-TEST_F(FacetWalkOfAPair, ApartByMoreThanIsAsked_IsTheQuerys) {
+TEST_F(FacetWalkOfAPair, ApartByMoreThanIsAsked_SaysSo) {
   pair_.pose_2.translation = pair_.pose_1.translation + Vector3d(2, 1, 0);
   (void)dgd::GrowthDistance(pair_.set_1, pair_.pose_1, pair_.set_2, pair_.pose_2, {}, &pair_.state);
-  ASSERT_TRUE(Solve());
-  ASSERT_GT(result_.separation, 0.1);
-  EXPECT_FALSE(Solve({.separation_limit = 0.1}));
-  EXPECT_TRUE(Solve({.separation_limit = 10}));
-  EXPECT_FALSE(SolveAnew({.separation_limit = 10}));
+  const dgd::WarmStart<double> last = pair_.state;
+  const auto expect_apart = [&] {
+    EXPECT_EQ(result_.status, dgd::Status::kSeparated);
+    EXPECT_GT(result_.separation, 0.1);
+    EXPECT_GT(result_.lower_bound, 1);
+    EXPECT_LE(dgd::Certify(pair_.set_1, pair_.pose_1, pair_.set_2, pair_.pose_2, result_).separation_error, 1e-14);
+    // The next query tries the normal alone.
+    EXPECT_EQ(pair_.state.size, 0);
+    EXPECT_NEAR((pair_.pose_1.rotation * pair_.state.normal_1 - result_.normal).norm(), 0, 1e-14);
+  };
+  ASSERT_TRUE(Solve({.separation_limit = 0.1}));
+  expect_apart();
+  pair_.state = {};
+  ASSERT_TRUE(SolveAnew({.separation_limit = 0.1}));
+  expect_apart();
+  // Along the line of the centres, by the only evaluation.
+  EXPECT_EQ(result_.iterations, 1);
+  pair_.state = last;
+  ASSERT_TRUE(Solve({.separation_limit = 10}));
+  EXPECT_EQ(result_.status, dgd::Status::kOptimal);
+  ASSERT_TRUE(SolveAnew({.separation_limit = 10}));
+  EXPECT_EQ(result_.status, dgd::Status::kOptimal);
 }
 
 TEST_F(FacetWalkOfAPair, AnewWithANegativeRadius_IsTheQuerys) {

@@ -69,18 +69,22 @@ constexpr bool kHasFacetWalk = kDimension<typename Set1::Core> == 3 && Minkowski
 
 /// Asks FacetWalk: from the last facet, if there is one, and anew.
 /// @param remaining  The iterations that are left, if it has no answer.
-/// @return whether it has, which the result is then.
+/// @return whether it has, which the result is then. Not inlined: with its registers, sets that stay apart take 15 ns
+/// longer.
 template <class Set1, class Set2, class AnyResult>
-bool AnswerByWalk(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2, const PoseOf<Set1>& pose_2,
-                  const Settings<typename Set1::Scalar>& settings, WarmStartOf<Set1>* warm_start, AnyResult& result,
-                  Settings<typename Set1::Scalar>& remaining) {
+[[gnu::noinline, gnu::flatten]] bool AnswerByWalk(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
+                                                  const PoseOf<Set1>& pose_2,
+                                                  const Settings<typename Set1::Scalar>& settings,
+                                                  WarmStartOf<Set1>* warm_start, AnyResult& result,
+                                                  Settings<typename Set1::Scalar>& remaining) {
   using Walk = FacetWalk<Set1, Set2>;
   if (!settings.facet_walk || !settings.rounding || settings.max_iterations <= Walk::kMostAnew) return false;
   Walk walk(set_1, pose_1, set_2, pose_2);
-  // Of an edge or a corner, RayIntersection goes on.
+  // Of an edge or a corner, RayIntersection goes on; and of a thin facet, which a walk anew would end at, too.
   const int size = warm_start != nullptr ? warm_start->size : 0;
   if (size == 3 && walk.AnswerFromLast(settings, *warm_start, result)) return true;
-  if ((size == 0 || (size == 3 && walk.IsQuickAnew())) && walk.AnswerAnew(settings, warm_start, result)) return true;
+  const bool is_lost = size == 3 && walk.IsQuickAnew() && !walk.EndedAtThinFacet();
+  if ((size == 0 || is_lost) && walk.AnswerAnew(settings, warm_start, result)) return true;
   result = {};
   remaining.max_iterations -= walk.Iterations();
   return false;

@@ -1,0 +1,164 @@
+// Three points of a polytopes' Minkowski difference that the ray passes between, in the world's coordinates: their
+// plane, which one a new point takes the place of, and where the ray meets them. See facet_walk.h.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "dgd/convex_set.h"
+#include "dgd/ray/inner_approximation.h"
+#include "dgd/ray/minkowski_difference.h"
+#include "dgd/types.h"
+
+namespace dgd::ray_internal {
+
+/// All lengths in metres; all points from the difference's centre. What comes after is_weighed_ is of FindPlane().
+template <class S>
+struct RayTriangle {
+  using Point = Vector3<S>;
+
+  struct Corner {
+    Point point;  ///< Of the cores' difference about its centre; world, metres.
+    FeatureId feature_1, feature_2;
+  };
+
+  /// @param ray     From centre 1 to centre 2.
+  /// @param radius  Of both sets; >= 0 where there is an answer.
+  RayTriangle(const Point& ray, S radius) : ray_(ray), radius_(radius) {}
+
+  void PutCornersInBall(S inradius, const Point& axis) {
+    constexpr S kShare1 = 1;  // Of no account: corners that are no vertices are not reported.
+    const auto facet = InnerApproximation<S, 3>::FromInradius(inradius, kShare1);
+    const Matrix3<S> frame = FrameAlong<S>(axis);
+    for (int i = 0; i < 3; ++i) {
+      corners_[static_cast<std::size_t>(i)] = {frame * facet[i].point, kNoFeature, kNoFeature};
+    }
+  }
+
+  bool HasVertices() const {
+    return std::ranges::none_of(corners_, [](const Corner& corner) { return corner.feature_1 == kNoFeature; });
+  }
+
+  Point NormalOfCorners() const {
+    return (corners_[1].point - corners_[0].point).cross(corners_[2].point - corners_[0].point);
+  }
+
+  /// Of the corners' plane, times the normal's length; with a radius, of the plane moved by it.
+  template <bool kRounded>
+  S Height() {
+    S height = normal_.dot(corners_[0].point);
+    if constexpr (kRounded) {
+      const S length = normal_.norm();
+      height += radius_ * length;
+      shift_ = radius_ / length * normal_;
+    }
+    return height;
+  }
+
+  /// Of the triangles that the new corner makes with two of the old ones, takes the one that the ray passes through.
+  /// With a radius they are moved by that along the last normal, which is not quite their own: where the ray passes
+  /// beside the old one, the new corner takes the place of the one across from there.
+  /// @return false, and the corners as they were, where rounding leaves none.
+  template <bool kRounded>
+  bool Exchange(const Corner& added) {
+    if constexpr (kRounded) {
+      const Point across = ray_.cross(added.point + shift_);
+      const auto turn = [&](std::size_t i) { return across.dot(corners_[i].point + shift_); };
+      if (Exchange(added, turn(0), turn(1), turn(2))) return true;
+      FindPlane();
+      const int beside = CornerAcross();
+      if (beside < 0) return false;
+      Replace(static_cast<std::size_t>(beside), added);
+      return true;
+    } else {
+      const Point across = ray_.cross(added.point);
+      const S turn_0 = across.dot(corners_[0].point), turn_1 = across.dot(corners_[1].point),
+              turn_2 = across.dot(corners_[2].point);
+      return Exchange(added, turn_0, turn_1, turn_2);
+    }
+  }
+
+  /// In any place, after which the normal may have to be turned towards the ray.
+  void Replace(std::size_t corner, const Corner& added) {
+    corners_[corner] = added;
+    is_weighed_ = false;
+    if (NormalOfCorners().dot(ray_) < 0) std::swap(corners_[0], corners_[1]);
+  }
+
+  bool Exchange(const Corner& added, S turn_0, S turn_1, S turn_2) {
+    if (turn_0 >= 0 && turn_1 <= 0) {
+      corners_[2] = added;
+    } else if (turn_1 >= 0 && turn_2 <= 0) {
+      corners_[0] = added;
+    } else if (turn_2 >= 0 && turn_0 <= 0) {
+      corners_[1] = added;
+    } else {
+      return false;
+    }
+    is_weighed_ = false;
+    return true;
+  }
+
+  /// Of the corners, towards the ray.
+  void FindPlane() {
+    side_1_ = corners_[1].point - corners_[0].point;
+    side_2_ = corners_[2].point - corners_[0].point;
+    normal_ = side_1_.cross(side_2_);
+    along_ = normal_.dot(ray_);
+    if (along_ < 0) {
+      std::swap(corners_[1], corners_[2]);
+      std::swap(side_1_, side_2_);
+      normal_ = -normal_;
+      along_ = -along_;
+    }
+    length_sq_ = normal_.squaredNorm();
+    length_ = std::sqrt(length_sq_);
+    height_ = normal_.dot(corners_[0].point) + radius_ * length_;
+  }
+
+  /// Whether plain products keep the digits of the plane, and of weights on it. False for NaN.
+  bool IsSound() const {
+    const S longest_sq = std::max({side_1_.squaredNorm(), side_2_.squaredNorm(), (side_2_ - side_1_).squaredNorm()});
+    const bool is_fat = length_sq_ > kFat * kFat * longest_sq * longest_sq;
+    const bool is_flat = along_ * along_ > kFlat * kFlat * length_sq_ * ray_.squaredNorm();
+    return is_fat && is_flat && height_ > 0;
+  }
+
+  /// Finds where the ray meets the plane, by the corners' weights.
+  /// @return -1 if it leaves between them, else the corner across the side that it passes beyond.
+  int CornerAcross() {
+    const Point from_first = height_ / along_ * ray_ - radius_ / length_ * normal_ - corners_[0].point;
+    weights_[1] = normal_.dot(from_first.cross(side_2_)) / length_sq_;
+    weights_[2] = normal_.dot(side_1_.cross(from_first)) / length_sq_;
+    weights_[0] = 1 - weights_[1] - weights_[2];
+    const auto least = std::ranges::min_element(weights_);
+    return *least >= 0 ? -1 : static_cast<int>(least - weights_.begin());
+  }
+
+  /// Whether the ray is certain to leave between the corners, which are vertices.
+  bool LeavesByFacet() {
+    if (is_weighed_) return true;
+    if (!HasVertices()) return false;
+    FindPlane();
+    return IsSound() && CornerAcross() < 0;
+  }
+
+  /// Twice the area over the longest side's square, and the normal's cosine to the ray. By their inverses, rounding is
+  /// magnified.
+  static constexpr S kFat = S(0.05), kFlat = S(0.05);
+
+  const Point ray_;
+  const S radius_;
+  std::array<Corner, 3> corners_;
+  Point normal_;             // Of the corners, as long as twice the triangle's area.
+  Point shift_;              // By the radius, along the normal.
+  bool is_weighed_ = false;  // The ray leaves between the corners, with these weights. What follows is of them, too:
+  std::array<S, 3> weights_;
+  Point side_1_, side_2_;
+  S along_, height_;  // Products of the normal with the ray, and with a point of the plane; with the radius.
+  S length_sq_, length_;
+};
+
+}  // namespace dgd::ray_internal
