@@ -21,6 +21,8 @@ class CoreQuestions {
 
   virtual ~CoreQuestions() = default;
   virtual dgd::SupportPoint<S, L> Support(const Point& direction, dgd::FeatureId hint) const = 0;
+  virtual dgd::SupportPoint<S, L> GuessSupport(const Point& direction) const = 0;
+  virtual bool IsGuessing() const = 0;
   virtual Point Center() const = 0;
   virtual S Inradius() const = 0;
   virtual dgd::SquareMatrix<S, L> Spread() const = 0;
@@ -52,6 +54,10 @@ class CoreAnswers final : public CoreQuestions<typename Core::Scalar, dgd::kDime
       return core_.Support(direction);
     }
   }
+  dgd::SupportPoint<S, L> GuessSupport(const Point& direction) const override {
+    return dgd::GuessSupport(core_, direction);
+  }
+  bool IsGuessing() const override { return dgd::IsGuessing(core_); }
   Point Center() const override { return core_.Center(); }
   S Inradius() const override { return core_.Inradius(); }
   dgd::SquareMatrix<S, L> Spread() const override { return dgd::SpreadOf(core_); }
@@ -122,6 +128,10 @@ class ErasedVertexCore : public ErasedCore<S, L> {
     return this->Core().FeatureSupport(vertex, dgd::Vector<S, L>::Zero()).point;
   }
   dgd::VertexId VertexCount() const { return this->Core().FeatureCount(); }
+  dgd::SupportPoint<S, L> GuessSupport(const dgd::Vector<S, L>& direction) const {
+    return this->Core().GuessSupport(direction);
+  }
+  bool IsGuessing() const { return this->Core().IsGuessing(); }
 };
 
 template <class S, int L>
