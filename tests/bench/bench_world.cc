@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "bench/percentile.h"
+
 namespace dgd_bench {
 
 BenchWorld::BenchWorld(dgd_demos::Narrowphase narrowphase, int threads)
@@ -72,9 +74,8 @@ WorldState BenchWorld::State() const {
   }
   if (speeds.empty()) return state;
   state.rms_speed = std::sqrt(squares / double(speeds.size()));
-  const auto ninth = speeds.begin() + static_cast<std::ptrdiff_t>(9 * speeds.size() / 10);
-  std::nth_element(speeds.begin(), ninth, speeds.end());
-  state.most_speed = *ninth;
+  std::ranges::sort(speeds);
+  state.p90_speed = Percentile(speeds, 0.9);
   return state;
 }
 

@@ -23,8 +23,8 @@ struct StepCost {
 
 /// How the moving bodies are.
 struct WorldState {
-  double rms_speed = 0;   ///< m/s
-  double most_speed = 0;  ///< Of nine in ten of them, at most; m/s
+  double rms_speed = 0;  ///< m/s
+  double p90_speed = 0;  ///< Nine in ten are no faster; m/s
   int awake = 0;
   int lost = 0;  ///< Below the floor, or not finite.
 };

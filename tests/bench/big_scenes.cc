@@ -126,7 +126,7 @@ bool Simulate(const BigScene& scene, const Options& options) {
       run.step_ms += cost.step_ms;
       run.queries += cost.queries;
       run.end = worlds[n].State();
-      if (!(run.end.most_speed <= kAtRest)) run.rest_time = time;
+      if (!(run.end.p90_speed <= kAtRest)) run.rest_time = time;
       if (!(run.end.rms_speed <= kAtRest)) run.rms_rest_time = time;
       if (time > duration - 1) run.last_second_squares += run.end.rms_speed * run.end.rms_speed;
     }

@@ -1,4 +1,4 @@
-// Three points of a polytopes' Minkowski difference that the ray passes between, in the world's coordinates: their
+// Three points of two polytopes' Minkowski difference that the ray passes between, in the world's coordinates: their
 // plane, which one a new point takes the place of, and where the ray meets them. See facet_walk.h.
 #pragma once
 
@@ -28,6 +28,8 @@ struct RayTriangle {
   /// @param radius  Of both sets; >= 0 where there is an answer.
   RayTriangle(const Point& ray, S radius) : ray_(ray), radius_(radius) {}
 
+  /// About the ray, in the ball about the centre (Alg. 1); they are no vertices.
+  /// @param axis  The ray's, unit length.
   void PutCornersInBall(S inradius, const Point& axis) {
     constexpr S kShare1 = 1;  // Of no account: corners that are no vertices are not reported.
     const auto facet = InnerApproximation<S, 3>::FromInradius(inradius, kShare1);
