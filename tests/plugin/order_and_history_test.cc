@@ -248,24 +248,32 @@ class Pile {
   std::vector<btRigidBody*> bodies_;
 };
 
-/// Whether a world that is saved, run, restored and run again ends in the same bits.
-bool ReplaysBitByBit(const dgd_bullet::Options& options) {
+/// Of a world that is saved, run, restored and run again, and that at a few moments in the midst of its fall: how often
+/// it ends in other bits.
+int CountOtherReplays(const dgd_bullet::Options& options) {
   Pile pile(options);
-  pile.Run(150);  // In the midst of its fall.
-  const Pile::Save save = pile.Saved();
-  pile.Run(8);
-  const Pile::Save first = pile.Saved();
-  EXPECT_FALSE(save.bodies == first.bodies);
-  pile.Restore(save);
-  pile.Run(8);
-  return pile.Saved().bodies == first.bodies;
+  pile.Run(120);
+  int others = 0;
+  for (int moment = 0; moment < 6; ++moment) {
+    pile.Run(12);
+    const Pile::Save save = pile.Saved();
+    pile.Run(8);
+    const Pile::Save first = pile.Saved();
+    EXPECT_FALSE(save.bodies == first.bodies);
+    pile.Restore(save);
+    pile.Run(8);
+    if (!(pile.Saved().bodies == first.bodies)) ++others;
+  }
+  return others;
 }
 
-TEST(WarmStartOption, Off_ARestoredWorldGoesOnBitByBitAsTheSavedOne) { EXPECT_TRUE(ReplaysBitByBit(WithoutHistory())); }
+TEST(WarmStartOption, Off_ARestoredWorldGoesOnBitByBitAsTheSavedOne) {
+  EXPECT_EQ(CountOtherReplays(WithoutHistory()), 0);
+}
 // The digits that tell are the solver's last, which a world in float most often rounds away.
 TEST(WarmStartOption, On_ARestoredWorldInDoubleRemembersMore) {
   if (sizeof(btScalar) == 8) {
-    EXPECT_FALSE(ReplaysBitByBit({}));
+    EXPECT_GT(CountOtherReplays({}), 0);
   }
 }
 

@@ -197,31 +197,29 @@ void CheckPieces(const Core& core, const ExpectedSet<L>& expected, Random& rando
   EXPECT_GT(compared, DirectionCount() / 2);
 }
 
-/// Where a piece has a face normal, it is of unit length, and close to it the piece's points run around a disc in the
-/// core's supporting plane, about the middle of any three a third of a turn apart: what ray/flat_face.h counts on.
+/// Where a piece bounds a disc, the disc's plane is the core's supporting one, and its rim and centre are the core's.
 template <dgd::FacedCore Core>
 void CheckFaces(const Core& core, const ExpectedSet<3>& expected) {
   using S = typename Core::Scalar;
   const double tilt = std::sqrt(double(dgd::kEpsilon<S>));
   const double rounding = Rounding<S>(expected), rounding_around = rounding + 16 * tilt * expected.reach;
   for (dgd::FeatureId piece = 0; piece < core.PieceCount(); ++piece) {
-    const Eigen::Vector3d normal = dgd::Vector3<S>(core.FaceNormal(piece)).template cast<double>();
+    const dgd::FlatDisc<S> face = core.Face(piece);
+    const Eigen::Vector3d normal = face.normal.template cast<double>(), center = face.center.template cast<double>();
     if (normal.isZero(0)) continue;
     EXPECT_NEAR(normal.norm(), 1, 4 * double(dgd::kEpsilon<S>)) << "piece " << piece;
+    EXPECT_NEAR(normal.dot(center), expected.height(normal), rounding) << "piece " << piece;
     constexpr int kTurns = 12;
-    std::vector<Eigen::Vector3d> around;
     for (int turn = 0; turn < kTurns; ++turn) {
       const double angle = 0.1 + 2 * std::numbers::pi * turn / kTurns;
       const Eigen::Vector3d first = normal.unitOrthogonal();
       const Eigen::Vector3d way = std::cos(angle) * first + std::sin(angle) * normal.cross(first);
+      const Eigen::Vector3d rim = center + double(face.radius) * way;
+      EXPECT_LE(double(core.Distance(rim.template cast<S>())), rounding) << "piece " << piece;
       const Eigen::Vector3d direction = normal + tilt * way;
-      around.push_back(core.PieceSupport(piece, direction.template cast<S>()).point.template cast<double>());
-      EXPECT_NEAR(normal.dot(around.back()), expected.height(normal), rounding) << "piece " << piece;
-    }
-    const Eigen::Vector3d middle = (around[0] + around[4] + around[8]) / 3;
-    const double radius = (around[0] - middle).norm();
-    for (const Eigen::Vector3d& point : around) {
-      EXPECT_NEAR((point - middle).norm(), radius, rounding_around) << "piece " << piece;
+      const Eigen::Vector3d point =
+          core.PieceSupport(piece, direction.template cast<S>()).point.template cast<double>();
+      EXPECT_LE((point - rim).norm(), rounding_around) << "piece " << piece;
     }
   }
 }

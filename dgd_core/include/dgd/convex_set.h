@@ -72,10 +72,10 @@ concept SmoothCore = ConvexCore<Core> && requires(const Core& core, FeatureId pi
 
 /// A smooth core some of whose pieces bound a flat disc, as the rim of a cylinder bounds its cap. Along the disc's
 /// normal the piece's support function has a kink like a cone's tip, where no derivative helps.
-///  * FaceNormal(piece): the disc's outward unit normal, or zero if the piece bounds none.
+///  * Face(piece): the disc, without a normal if the piece bounds none.
 template <class Core>
 concept FacedCore = SmoothCore<Core> && requires(const Core& core, FeatureId piece) {
-  { core.FaceNormal(piece) } -> std::convertible_to<VectorOf<Core>>;
+  { core.Face(piece) } -> std::same_as<FlatDisc<typename Core::Scalar>>;
 };
 
 /// A core that finds its support point faster from a feature that was one for a similar direction; any number will do
@@ -126,8 +126,7 @@ SupportPoint<typename Core::Scalar, kDimension<Core>> GuessSupport(const Core& c
 
 /// A core that knows about how far it reaches in which direction: a cold query of a curved set begins with a normal
 /// that is guessed from this.
-///  * Spread(): a symmetric, positive semidefinite matrix M in the core's frame, metres squared, full or diagonal:
-///  about
+///  * Spread(): a symmetric, positive semidefinite matrix M in the core's frame, metres squared, full or diagonal: about
 ///    Center(), the core reaches about as far as the ellipsoid does whose support value along d is sqrt(<d, M d>). Any
 ///    will do; a good one saves a direction.
 template <class Core>
@@ -207,7 +206,7 @@ class CoreReference {
     return core_->PieceSupport(piece, direction);
   }
   FeatureId PieceCount() const requires SmoothCore<CoreType> { return core_->PieceCount(); }
-  auto FaceNormal(FeatureId piece) const requires FacedCore<CoreType> { return core_->FaceNormal(piece); }
+  auto Face(FeatureId piece) const requires FacedCore<CoreType> { return core_->Face(piece); }
   auto GuessSupport(const VectorOf<CoreType>& direction) const requires GuessingCore<CoreType> {
     return core_->GuessSupport(direction);
   }

@@ -40,7 +40,7 @@ struct Settings {
   S separation_limit = std::numeric_limits<S>::infinity();
 
   /// For comparison only; there is no other reason to turn these off.
-  bool second_order = true;   ///< Second-order steps on curved cores (ray/second_order_step.h).
+  bool second_order = true;   ///< Second-order steps on curved cores (ray/second_order_walk.h).
   bool rounding = true;       ///< Radii kept apart from the cores (ray/inner_approximation.h).
   bool facet_walk = true;     ///< Polytopes' shorter way (ray/facet_walk.h).
   bool known_points = true;   ///< Support points of the two sets combined anew (ray/known_points.h).

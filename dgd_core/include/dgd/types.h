@@ -53,6 +53,14 @@ struct SupportPoint {
   FeatureId feature = kNoFeature;
 };
 
+/// A flat disc on a core's boundary: the cap of a cylinder, the base of a cone. In the core's frame.
+template <class Scalar>
+struct FlatDisc {
+  Vector3<Scalar> normal = Vector3<Scalar>::Zero();  ///< Outwards, unit length; zero if there is no disc.
+  Vector3<Scalar> center = Vector3<Scalar>::Zero();  ///< Metres.
+  Scalar radius = 0;                                 ///< Metres.
+};
+
 /// A support point and how it moves with the direction d: the gradient and the Hessian of a support function.
 template <class Scalar, int L = 3>
 struct CurvedPoint {

@@ -28,7 +28,7 @@ class CoreQuestions {
   virtual dgd::SquareMatrix<S, L> Spread() const = 0;
   virtual dgd::FeatureId FeatureCount() const = 0;
   virtual dgd::CurvedPoint<S, L> FeatureSupport(dgd::FeatureId feature, const Point& direction) const = 0;
-  virtual Point FaceNormal(dgd::FeatureId piece) const = 0;
+  virtual dgd::FlatDisc<S> Face(dgd::FeatureId piece) const = 0;
   virtual S SupportValue(const Point& direction) const = 0;
   virtual S Distance(const Point& point) const = 0;
 
@@ -80,9 +80,9 @@ class CoreAnswers final : public CoreQuestions<typename Core::Scalar, dgd::kDime
       return {core_.Center(), dgd::SquareMatrix<S, L>::Zero()};
     }
   }
-  Point FaceNormal([[maybe_unused]] dgd::FeatureId piece) const override {
-    if constexpr (dgd::FacedCore<Core>) return core_.FaceNormal(piece);
-    return Point::Zero();
+  dgd::FlatDisc<S> Face([[maybe_unused]] dgd::FeatureId piece) const override {
+    if constexpr (dgd::FacedCore<Core>) return core_.Face(piece);
+    return {};
   }
   S SupportValue(const Point& direction) const override { return core_.SupportValue(direction); }
   S Distance(const Point& point) const override { return core_.Distance(point); }
@@ -143,7 +143,7 @@ class ErasedSmoothCore : public ErasedCore<S, L> {
     return this->Core().FeatureSupport(piece, direction);
   }
   dgd::FeatureId PieceCount() const { return this->Core().FeatureCount(); }
-  dgd::Vector<S, L> FaceNormal(dgd::FeatureId piece) const { return this->Core().FaceNormal(piece); }
+  dgd::FlatDisc<S> Face(dgd::FeatureId piece) const { return this->Core().Face(piece); }
 };
 
 /// As a user's core with the least that ConvexCore asks for: without features, and without hints.

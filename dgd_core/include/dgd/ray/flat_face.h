@@ -2,89 +2,45 @@
 //
 // A rim's support function r |d_xy| has a kink along the axis, and where the ray leaves C through the cap, that kink is
 // the optimum: Newton's step never gets there, and cutting planes creep along the rim. But both the normal and the
-// points are known at once. Close to the normal n0 the features' points run around the disc, so three of them give its
-// centre and radius; if the ray passes within, n0 is the normal, and the triangle of rim points that has one corner
-// where the way from the centre to the ray ends holds the ray: every ray through the disc passes the triangle that
-// points at it.
+// points are known at once: the plane of C along the disc's normal touches it in the disc and a point of the other set,
+// or a disc of that one, too.
 #pragma once
 
-#include <array>
+#include <cmath>
 
-#include "dgd/ray/inner_approximation.h"
 #include "dgd/ray/minkowski_difference.h"
+#include "dgd/types.h"
 
 namespace dgd {
 
-/// The disc of two features about a face normal.
+/// Whether the ray leaves C within a disc of one set's, moved by the other set's support point along its normal.
+/// @param support     Along the normal of one of the discs of its features: `is_of_1` says of which set.
+/// @param height      Of the plane of C there, on the ray, metres.
+/// @param on_1        Out: the point of set 1 that the ray's point comes from.
 template <class Difference>
-class FlatFace {
- public:
+bool LeavesByDisc(const Difference& difference, const typename Difference::Feature& support, bool is_of_1,
+                  typename Difference::S height, typename Difference::Point& on_1) {
   using S = typename Difference::S;
   using Point = typename Difference::Point;
-  using Feature = typename Difference::Feature;
-  static_assert(Difference::L == 3, "in the plane no face is a disc");
-
-  /// @param normal  Of the face, ray frame, unit length or zero.
-  FlatFace(const Difference& difference, const Feature& features, const Point& normal)
-      : difference_(difference), features_(features), normal_(normal) {}
-
-  /// If the ray leaves C through the disc, gives three points of it around the ray.
-  bool HoldsRay(std::array<Feature, 3>& corners) const {
-    if (!(normal_.z() > kSteep<S>)) return false;
-    const Matrix3<S> frame = FrameAlong<S>(normal_);
-    corners = PointsAround(frame.col(0));
-    const Point center = (corners[0].point + corners[1].point + corners[2].point) / S(3);
-    const S rounding = difference_.Rounding();
-    const Point on_ray = (normal_.dot(center) + rounding) / normal_.z() * Point::UnitZ();
-    Point to_ray = on_ray - rounding * normal_ - center;
-    to_ray -= to_ray.dot(normal_) * normal_;
-    const S distance = to_ray.norm();
-    if (!(distance <= (corners[0].point - center).norm())) return false;
-    if (distance > 0) corners = PointsAround(to_ray / distance);
-    return true;
-  }
-
- private:
-  /// How far from the face's normal the features are asked: little enough that other curves do not show, and enough
-  /// for the direction around the rim to keep half its digits.
-  static constexpr S kTilt = kSqrtEpsilon<S>;
-
-  std::array<Feature, 3> PointsAround(const Point& first) const {
-    const Point second = normal_.cross(first);
-    std::array<Feature, 3> points;
-    constexpr S kSine = ray_internal::kSineOfThirdTurn<S>;
-    points[0] = At(first);
-    points[1] = At(S(-0.5) * first + kSine * second);
-    points[2] = At(S(-0.5) * first - kSine * second);
-    return points;
-  }
-  Feature At(const Point& tilt) const {
-    return difference_.FromFeatures(features_.feature_1, features_.feature_2, normal_ + kTilt * tilt).support;
-  }
-
-  const Difference& difference_;
-  const Feature& features_;
-  Point normal_;
-};
-
-/// Tries the faces of both features. If the ray leaves C through one, the inner approximation gets its points.
-/// @return whether there is such a face, with its normal.
-template <class Difference>
-[[gnu::cold, gnu::noinline]] bool FindFlatFace(const Difference& difference,
-                                               const typename Difference::Feature& features,
-                                               InnerApproximation<typename Difference::S>& inner,
-                                               typename Difference::Point& normal) {
-  std::array<typename Difference::Feature, 3> corners;
-  for (const bool of_first : {true, false}) {
-    // The pose may have been rounded to float: its rotation does not quite keep lengths.
-    normal = (of_first ? difference.FaceNormal1(features.feature_1) : difference.FaceNormal2(features.feature_2))
-                 .normalized();
-    if (FlatFace<Difference>(difference, features, normal).HoldsRay(corners)) {
-      inner.AdoptBasis(corners, 3);
-      return true;
+  FlatDisc<S> disc_1 = difference.Face1(support.feature_1), disc_2 = difference.Face2(support.feature_2);
+  const Point normal = is_of_1 ? disc_1.normal : disc_2.normal;
+  const Point on_ray = height * Point::UnitZ();
+  // What there is of the other set: where its disc lies the same way, that; else the point.
+  constexpr S kSameWay = 4 * kEpsilon<S>;
+  if (!(disc_1.normal.cross(disc_2.normal).norm() <= kSameWay && disc_1.normal.dot(disc_2.normal) > 0)) {
+    if (is_of_1) {
+      disc_2 = {normal, support.point - support.on_1 - difference.Radius2() * normal, 0};
+    } else {
+      disc_1 = {normal, support.on_1 - difference.Radius1() * normal, 0};
     }
   }
-  return false;
+  const Point center_1 = disc_1.center + difference.Radius1() * normal;
+  const Point center_2 = disc_2.center + difference.Radius2() * normal;
+  const Point from_center = on_ray - center_1 - center_2;
+  const S radius = disc_1.radius + disc_2.radius;
+  if (!(radius > 0 && from_center.norm() <= radius)) return false;
+  on_1 = center_1 + disc_1.radius / radius * from_center;
+  return true;
 }
 
 }  // namespace dgd

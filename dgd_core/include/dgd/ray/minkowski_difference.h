@@ -136,8 +136,12 @@ class MinkowskiDifference {
 
   /// |p|, metres: the length at which the ray reaches growth distance 1.
   S Length() const { return length_; }
+  /// Whether there is an interior, and the ray has a direction: the centres do not coincide.
+  bool HasRay() const { return inradius_ > 0 && length_ > kCoincidence<S> * inradius_; }
   /// Radius of a ball about the origin inside C, metres (eq. inradius). 0 if C has no interior.
   S Inradius() const { return inradius_; }
+  /// The part of Inradius() that set 1 contributes.
+  S Inradius1() const { return set_1_.core.Inradius() + set_1_.radius; }
   /// As dgd::HasCertainInterior(), which is what the inradius alone does not tell.
   /// @param support  Any support point.
   bool HasCertainInterior(const Feature& support) const {
@@ -190,21 +194,20 @@ class MinkowskiDifference {
                       Point::Zero());
   }
 
-  /// The point of two features that is farthest along the unit vector `normal`, and its derivative; both of C, radii
-  /// included. Not inlined: it is long, and there are many pairs of types.
-  [[gnu::noinline, gnu::flatten]] CurvedDifferencePoint<S, L> FromFeatures(
-      FeatureId feature_1, FeatureId feature_2, const Point& normal) const requires kIsSmooth {
-    const CurvedPoint<S, L> curved_1 = OfFeature(set_1_.core, feature_1, to_frame_1_.transpose() * normal);
-    const CurvedPoint<S, L> curved_2 = OfFeature(set_2_.core, feature_2, to_frame_2_.transpose() * -normal);
-    CurvedDifferencePoint<S, L> curved;
-    curved.support = Difference({curved_1.point, feature_1}, {curved_2.point, feature_2}, normal);
-    const auto across_1 = to_frame_1_.template topRows<L - 1>();
-    const auto across_2 = to_frame_2_.template topRows<L - 1>();
-    const Vector<S, L - 1> n = normal.template head<L - 1>();
-    curved.derivative = (set_1_.radius + set_2_.radius) * (SquareMatrix<S, L - 1>::Identity() - n * n.transpose());
-    AddDerivative<typename Set1::Core>(across_1, curved_1, curved.derivative);
-    AddDerivative<typename Set2::Core>(across_2, curved_2, curved.derivative);
-    return curved;
+  /// The point of C, radii included, that is farthest along a direction of any length, and how it moves with that. Not
+  /// inlined, as below: it is long, and there are many pairs of types.
+  /// @param hint_1, hint_2  As of Support().
+  [[gnu::noinline, gnu::flatten]] CurvedDifferencePoint<S, L> CurvedSupport(const Point& direction, FeatureId hint_1,
+                                                                            FeatureId hint_2) const requires kIsSmooth {
+    const Point direction_1 = to_frame_1_.transpose() * direction, direction_2 = to_frame_2_.transpose() * -direction;
+    return OnFeaturesAlong(FeatureAlong(set_1_.core, direction_1, hint_1),
+                           FeatureAlong(set_2_.core, direction_2, hint_2), direction, direction_1, direction_2);
+  }
+  /// As above, of two features.
+  [[gnu::noinline, gnu::flatten]] CurvedDifferencePoint<S, L> OnFeatures(
+      FeatureId feature_1, FeatureId feature_2, const Point& direction) const requires kIsSmooth {
+    return OnFeaturesAlong(feature_1, feature_2, direction, to_frame_1_.transpose() * direction,
+                           to_frame_2_.transpose() * -direction);
   }
 
   /// The point of two features that is farthest along a unit vector, radii left out that are kept apart, and how it
@@ -223,15 +226,17 @@ class MinkowskiDifference {
     return curved;
   }
 
-  /// Outward normal of the flat face that a feature of set 1 (of set 2) bounds, ray frame; zero if there is none.
-  Point FaceNormal1(FeatureId feature) const {
-    if constexpr (FacedCore<typename Set1::Core>) return to_frame_1_ * set_1_.core.FaceNormal(feature);
-    return Point::Zero();
+  /// The flat disc that a feature of set 1 (of set 2, less its centre and turned over, as it takes part in C) bounds,
+  /// if any; ray frame, about the centres.
+  FlatDisc<S> Face1(FeatureId feature) const requires(L == 3) {
+    return FaceOf(set_1_.core, core_center_1_, to_frame_1_, feature, 1);
   }
-  Point FaceNormal2(FeatureId feature) const {
-    if constexpr (FacedCore<typename Set2::Core>) return to_frame_2_ * -set_2_.core.FaceNormal(feature);
-    return Point::Zero();
+  FlatDisc<S> Face2(FeatureId feature) const requires(L == 3) {
+    return FaceOf(set_2_.core, core_center_2_, to_frame_2_, feature, -1);
   }
+  /// Of the sets, metres.
+  S Radius1() const { return set_1_.radius; }
+  S Radius2() const { return set_2_.radius; }
 
   Point DirectionToFrame(const Point& direction_1) const { return to_frame_1_ * direction_1; }
   /// Of unit length also where a rotation is not quite orthonormal, as one from an engine that works in float.
@@ -278,6 +283,15 @@ class MinkowskiDifference {
     }
   }
 
+  /// Of the support point.
+  template <FeatureCore Core>
+  static FeatureId FeatureAlong(const Core& core, const Point& direction, FeatureId hint) {
+    if constexpr (SmoothCore<Core>) {
+      if (core.PieceCount() == 1) return 0;
+    }
+    return SupportNear(core, direction, hint).feature;
+  }
+
   template <FeatureCore Core>
   static CurvedPoint<S, L> OfFeature(const Core& core, FeatureId feature, [[maybe_unused]] const Point& direction) {
     if constexpr (SmoothCore<Core>) {
@@ -285,6 +299,47 @@ class MinkowskiDifference {
     } else {
       return {core.Vertex(feature), Matrix::Zero()};
     }
+  }
+
+  template <class Core>
+  static FlatDisc<S> FaceOf([[maybe_unused]] const Core& core, [[maybe_unused]] const Point& center,
+                            [[maybe_unused]] const Matrix& to_frame, [[maybe_unused]] FeatureId feature,
+                            [[maybe_unused]] S side) {
+    if constexpr (FacedCore<Core>) {
+      const FlatDisc<S> face = core.Face(feature);
+      // The pose may have been rounded to float: its rotation does not quite keep lengths.
+      const Point normal = side * (to_frame * face.normal);
+      if (normal.isZero(0)) return {};
+      return {normal.normalized(), side * (to_frame * (face.center - center)), face.radius};
+    } else {
+      return {};
+    }
+  }
+
+  CurvedDifferencePoint<S, L> OnFeaturesAlong(FeatureId feature_1, FeatureId feature_2, const Point& direction,
+                                              const Point& direction_1,
+                                              const Point& direction_2) const requires kIsSmooth {
+    const CurvedPoint<S, L> curved_1 = OfFeature(set_1_.core, feature_1, direction_1);
+    const CurvedPoint<S, L> curved_2 = OfFeature(set_2_.core, feature_2, direction_2);
+    CurvedDifferencePoint<S, L> curved;
+    curved.support.on_1.noalias() = to_frame_1_ * (curved_1.point - core_center_1_);
+    curved.support.point.noalias() = to_frame_2_ * (core_center_2_ - curved_2.point);
+    curved.support.point += curved.support.on_1;
+    curved.support.feature_1 = feature_1;
+    curved.support.feature_2 = feature_2;
+    curved.derivative.setZero();
+    AddDerivative<typename Set1::Core>(to_frame_1_.template topRows<L - 1>(), curved_1, curved.derivative);
+    AddDerivative<typename Set2::Core>(to_frame_2_.template topRows<L - 1>(), curved_2, curved.derivative);
+    const S radius = set_1_.radius + set_2_.radius;
+    if (radius != 0) {
+      const S length = direction.norm();
+      const Point normal = direction / length;
+      curved.support.on_1 += set_1_.radius * normal;
+      curved.support.point += radius * normal;
+      const Vector<S, L - 1> across = normal.template head<L - 1>();
+      curved.derivative += radius / length * (SquareMatrix<S, L - 1>::Identity() - across * across.transpose());
+    }
+    return curved;
   }
 
   /// A core's part of the derivative; vertices have none.

@@ -1,12 +1,15 @@
-// What growth_distance.h declares, by way of the last normal and RayIntersection.
+// What growth_distance.h declares: by the last normal, by a walk, or by RayIntersection.
 #pragma once
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 #include "dgd/growth_distance.h"
 #include "dgd/ray/facet_walk.h"
 #include "dgd/ray/ray_intersection.h"
+#include "dgd/ray/second_order_walk.h"
 
 namespace dgd {
 
@@ -90,6 +93,141 @@ template <class Set1, class Set2, class AnyResult>
   return false;
 }
 
+/// The normal to begin with: the last one, or a guess.
+template <class Difference>
+typename Difference::Point FirstNormal(const Difference& difference, const Settings<typename Difference::S>& settings,
+                                       const WarmStart<typename Difference::S, Difference::L>* warm_start) {
+  constexpr int L = Difference::L;
+  if (warm_start != nullptr && HasNormal(*warm_start)) {
+    const auto normal = difference.DirectionToFrame(warm_start->normal_1);
+    if (normal[L - 1] > kSteep<typename Difference::S>) return normal;
+  }
+  if constexpr (L == 3) {
+    if (settings.likely_start) {
+      const auto normal = difference.LikelyNormal();
+      if (normal.z() > kSteep<typename Difference::S>) return normal;
+    }
+  }
+  return Difference::Point::Unit(L - 1);
+}
+
+template <class Query, class S, int L>
+void Report(const Query& query, Status status, Result<S, L>& result) {
+  result.status = status;
+  result.lower_bound = query.LowerBound();
+  result.upper_bound = query.UpperBound();
+  result.normal = query.Normal();
+  result.separation = query.Separation();
+  result.witness_1 = query.Witness1();
+  result.witness_2 = query.Witness2();
+}
+/// What a walk that has given up knows better.
+/// @param bounds  A result or an iterate.
+/// @return for each bound whether it is the walk's now, the lower one first.
+template <class Walk, class Bounds>
+std::pair<bool, bool> KeepBetterBounds(const Walk& walk, Bounds& bounds) {
+  const bool has_lower = walk.LowerBound() > bounds.lower_bound && walk.LowerBound() <= bounds.upper_bound;
+  if (has_lower) {
+    bounds.lower_bound = walk.LowerBound();
+    bounds.normal = walk.Normal();
+  }
+  const bool has_upper = walk.UpperBound() < bounds.upper_bound && walk.UpperBound() >= bounds.lower_bound;
+  if (has_upper) bounds.upper_bound = walk.UpperBound();
+  return {has_lower, has_upper};
+}
+template <class Walk, class S, int L>
+void KeepBetter(const Walk& walk, Result<S, L>& result) {
+  const auto [has_lower, has_upper] = KeepBetterBounds(walk, result);
+  if (has_lower) result.separation = walk.Separation();
+  if (has_upper) {
+    result.witness_1 = walk.Witness1();
+    result.witness_2 = walk.Witness2();
+  }
+}
+template <class Walk, class S, int L>
+void KeepBetter(const Walk&, CollisionResult<S, L>&) {}
+
+template <class Query, class S, int L>
+void Report(const Query& query, Status status, CollisionResult<S, L>& result) {
+  result.status = status;
+  switch (status) {
+    case Status::kSeparated:
+      result.normal = query.Normal();
+      result.separation = query.Separation();
+      result.point = query.PointBetween();
+      break;
+    case Status::kCoincidentCenters:
+      result.status = Status::kColliding;
+      [[fallthrough]];
+    case Status::kColliding:
+    case Status::kTouching:
+      result.point = query.MeetingPoint();
+      break;
+    default:
+      break;
+  }
+}
+
+template <class Set1, class Set2, class Observer, class AnyResult>
+void AnswerByRayIntersection(Question question, const MinkowskiDifference<Set1, Set2>& difference,
+                             const Settings<typename Set1::Scalar>& settings, WarmStartOf<Set1>* warm_start,
+                             Observer& observer, AnyResult& result) {
+  RayIntersection<Set1, Set2> query(difference, settings);
+  const Status status = query.Solve(question, warm_start, observer);
+  if (status == Status::kNoInterior) {
+    result = {};
+    result.status = status;
+    return;
+  }
+  result.iterations += query.Iterations();
+  Report(query, status, result);
+}
+
+/// Asks the Minkowski difference, in the ray's frame: along second-order steps, if it is curved, and by RayIntersection
+/// from where these end.
+/// @param settings  Of what is left to do.
+template <class Set1, class Set2, class Observer, class AnyResult>
+[[gnu::flatten]] void AnswerInFrame(Question question, const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
+                                    const PoseOf<Set1>& pose_2, Settings<typename Set1::Scalar> settings,
+                                    WarmStartOf<Set1>* warm_start, Observer& observer, AnyResult& result) {
+  using Difference = MinkowskiDifference<Set1, Set2>;
+  const Difference difference(set_1, pose_1, set_2, pose_2, settings.rounding);
+  if (!difference.IsValid()) {
+    result = {};
+    return;
+  }
+  if constexpr (Difference::kIsSmooth) {
+    if (settings.second_order && difference.HasRay()) {
+      SecondOrderWalk<Set1, Set2> walk(difference, settings);
+      const auto status = walk.Solve(question, FirstNormal(difference, settings, warm_start), warm_start, observer);
+      result.iterations += walk.Iterations();
+      if (status) {
+        if (warm_start != nullptr) walk.Remember(*status, *warm_start);
+        Report(walk, *status, result);
+        return;
+      }
+      settings.max_iterations -= walk.Iterations();
+      WarmStartOf<Set1> own;
+      if (warm_start == nullptr) warm_start = &own;
+      *warm_start = {};
+      warm_start->normal_1 = difference.NormalOfSet1(walk.NormalInFrame());
+      if constexpr (std::is_same_v<Observer, const NoObserver>) {
+        AnswerByRayIntersection(question, difference, settings, warm_start, observer, result);
+      } else {
+        const auto told = [&walk, &observer](Iterate<typename Set1::Scalar, Difference::L> iterate) {
+          iterate.iteration += walk.Iterations();
+          KeepBetterBounds(walk, iterate);
+          observer(iterate);
+        };
+        AnswerByRayIntersection(question, difference, settings, warm_start, told, result);
+      }
+      if (result.status != Status::kNoInterior) KeepBetter(walk, result);
+      return;
+    }
+  }
+  AnswerByRayIntersection(question, difference, settings, warm_start, observer, result);
+}
+
 template <class Set1, class Set2, class Observer>
 [[gnu::flatten]] ResultOf<Set1> GrowthDistance(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
                                                const PoseOf<Set1>& pose_2,
@@ -106,16 +244,8 @@ template <class Set1, class Set2, class Observer>
   if constexpr (kHasFacetWalk<Set1, Set2> && std::is_same_v<Observer, const NoObserver>) {
     if (AnswerByWalk(set_1, pose_1, set_2, pose_2, settings, warm_start, result, remaining)) return result;
   }
-  RayIntersection<Set1, Set2> query(set_1, pose_1, set_2, pose_2, remaining);
-  result.status = query.Solve(Question::kDistance, warm_start, observer);
-  if (result.status == Status::kInvalidInput || result.status == Status::kNoInterior) return result;
-  result.iterations = settings.max_iterations - remaining.max_iterations + query.Iterations();
-  result.lower_bound = query.LowerBound();
-  result.upper_bound = query.UpperBound();
-  result.normal = query.Normal();
-  result.separation = query.Separation();
-  result.witness_1 = query.Witness1();
-  result.witness_2 = query.Witness2();
+  result.iterations = settings.max_iterations - remaining.max_iterations;
+  AnswerInFrame(Question::kDistance, set_1, pose_1, set_2, pose_2, remaining, warm_start, observer, result);
   // A support function gave no number, or the sets are so small or large that their squares are none.
   if (!IsFinite(result)) result.status = Status::kInvalidInput;
   return result;
@@ -155,27 +285,9 @@ CollisionResultOf<Set1> DetectCollision(const Set1& set_1, const PoseOf<Set1>& p
   if constexpr (kHasFacetWalk<Set1, Set2>) {
     if (AnswerByWalk(set_1, pose_1, set_2, pose_2, settings, warm_start, result, remaining)) return result;
   }
-  RayIntersection<Set1, Set2> query(set_1, pose_1, set_2, pose_2, remaining);
   const NoObserver observer;
-  result.status = query.Solve(Question::kCollision, warm_start, observer);
-  if (result.status == Status::kInvalidInput || result.status == Status::kNoInterior) return result;
-  result.iterations = settings.max_iterations - remaining.max_iterations + query.Iterations();
-  switch (result.status) {
-    case Status::kSeparated:
-      result.normal = query.Normal();
-      result.separation = query.Separation();
-      result.point = query.PointBetween();
-      break;
-    case Status::kCoincidentCenters:
-      result.status = Status::kColliding;
-      [[fallthrough]];
-    case Status::kColliding:
-    case Status::kTouching:
-      result.point = query.MeetingPoint();
-      break;
-    default:
-      break;
-  }
+  result.iterations = settings.max_iterations - remaining.max_iterations;
+  AnswerInFrame(Question::kCollision, set_1, pose_1, set_2, pose_2, remaining, warm_start, observer, result);
   if (!IsFinite(result)) result.status = Status::kInvalidInput;  // As above.
   return result;
 }

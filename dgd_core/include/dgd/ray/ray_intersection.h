@@ -8,12 +8,9 @@
 #include "dgd/ray/known_points.h"
 #include "dgd/ray/minkowski_difference.h"
 #include "dgd/ray/outer_approximation.h"
-#include "dgd/ray/second_order_search.h"
+#include "dgd/ray/question.h"
 
 namespace dgd {
-
-/// What ends a query besides convergence.
-enum class Question { kDistance, kCollision };
 
 /// One query: the ray from 0 along p against C = C1 - C2 + p, between an inner and an outer approximation.
 template <class Set1, class Set2>
@@ -24,16 +21,15 @@ class RayIntersection {
   static constexpr int L = Difference::L;
   using Point = Vector<S, L>;
 
-  RayIntersection(const Set1& set_1, const Pose<S, L>& pose_1, const Set2& set_2, const Pose<S, L>& pose_2,
-                  const Settings<S>& settings)
-      : difference_(set_1, pose_1, set_2, pose_2, settings.rounding), settings_(settings), inner_(Start()) {}
+  RayIntersection(const Difference& difference, const Settings<S>& settings)
+      : difference_(difference), settings_(settings), inner_(Start()) {}
 
+  /// Of a valid difference.
   /// @param observer  Called with an Iterate after each iteration.
   template <class Observer>
   Status Solve(Question question, WarmStart<S, L>* warm_start, Observer& observer) {
-    if (!difference_.IsValid()) return Status::kInvalidInput;
     if (!(difference_.Inradius() > 0)) return Status::kNoInterior;
-    const bool coincident = difference_.Length() <= kCoincidence<S> * difference_.Inradius();
+    const bool coincident = !difference_.HasRay();
     const Status status = coincident ? MeasureAlongAnyNormal(warm_start) : Improve(question, warm_start, observer);
     if (!coincident && status != Status::kSeparated) Settle();
     if (warm_start != nullptr) Remember(status, *warm_start);
@@ -113,16 +109,8 @@ class RayIntersection {
     }
   }
 
-  /// Along a second-order step where there is one, else that of the inner approximation, or half way to it.
+  /// That of the inner approximation, or half way to it.
   Point NextNormal([[maybe_unused]] S last_outer, [[maybe_unused]] S last_inner) {
-    if constexpr (Difference::kIsSmooth) {
-      Point next;
-      if (settings_.second_order && !has_restarted_ &&
-          second_order_.Next(difference_, support_, outer_.Normal(), outer_.Height(), last_outer,
-                             last_outer - last_inner, inner_, next)) {
-        return next;
-      }
-    }
     if constexpr (!Difference::kIsPolytope) {
       const bool is_slow = outer_.Height() - inner_.Height() > kSlow * (last_outer - last_inner);
       is_between_ = settings_.half_way_cuts && iterations_ >= kPatience && is_slow && !is_between_;
@@ -142,9 +130,9 @@ class RayIntersection {
     return (next[L - 1] * best + best[L - 1] * next).normalized();
   }
 
-  /// A basis can lose its digits: second-order steps bring points of the same pieces close together, and steep or thin
-  /// facets of polytopes magnify the rounding of their corners. Then cutting planes alone finish the query, from a new
-  /// basis; the bounds keep what was reached. Once.
+  /// A basis can lose its digits: points of the same piece come close together, and steep or thin facets of polytopes
+  /// magnify the rounding of their corners. Then a new basis finishes the query; the bounds keep what was reached.
+  /// Once.
   [[gnu::cold, gnu::noinline]] bool Restart() {
     if (has_restarted_) return false;
     has_restarted_ = true;
@@ -314,7 +302,7 @@ class RayIntersection {
   /// Known points after one direction: with one at most, meshes take 5 % more directions, with two 1 %.
   static constexpr int kMaxCombinations = 4;
 
-  Difference difference_;
+  const Difference& difference_;
   const Settings<S>& settings_;
   InnerApproximation<S, L> inner_;
   InnerApproximation<S, L> reached_;  // Before a restart.
@@ -326,8 +314,6 @@ class RayIntersection {
   bool coincident_ = false;
   bool has_restarted_ = false;
   bool is_between_ = false;  // The next direction is not the inner approximation's.
-  struct Nothing {};
-  [[no_unique_address]] std::conditional_t<Difference::kIsSmooth, SecondOrderSearch<Difference>, Nothing> second_order_;
 };
 
 }  // namespace dgd

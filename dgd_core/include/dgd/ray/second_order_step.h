@@ -6,8 +6,7 @@
 // is that point's derivative. The cutting plane knows of each g_i only a tangent plane at an old u. Here all of those
 // that were met lately are taken at one u, and
 //
-//   minimise over d:  max_i (g_i + <grad g_i, d>) + 1/2 <d, H d>,   H = sum_i m_i (Hess g_i + grad g_i grad g_i^T /
-//   g_i),
+//   minimise over d:  max_i (g_i + <grad g_i, d>) + 1/2 <d, H d>,   H = sum_i m_i (Hess g_i + grad g_i grad g_i^T / g),
 //
 // m_i the multipliers of the pieces that are active at the minimum. This is the step of sequential quadratic
 // programming for a minimax problem: one active piece gives Newton's step, as many as there are coordinates in (u, 1)
@@ -16,9 +15,6 @@
 // The products of gradients make it the step for g^2 / 2, the squared support function, which is quadratic for a ball
 // or an ellipsoid about the origin where g itself is a cone; at the minimum they vanish along the step. Far from it,
 // they keep steps short.
-//
-// The step only names the next direction to search. The bounds take what support points say there, so that they stay
-// monotone and certain whatever the step was worth.
 #pragma once
 
 #include <algorithm>
@@ -26,17 +22,18 @@
 #include <cmath>
 
 #include "dgd/invert.h"
-#include "dgd/ray/minkowski_difference.h"
 #include "dgd/ray/tolerances.h"
 #include "dgd/types.h"
 
 namespace dgd {
 
-/// The model of a few pieces about one normal, and its minimum.
+/// The model of a few pieces about one direction, and its minimum.
 template <class S, int L>
 class SecondOrderStep {
  public:
   using Point = Vector<S, L>;
+  using Across = Vector<S, L - 1>;
+  using Matrix = SquareMatrix<S, L - 1>;
 
   /// One more than are active at once, so that a newly met piece drives none of these out.
   static constexpr int kMaxPieces = L + 1;
@@ -44,52 +41,41 @@ class SecondOrderStep {
   /// Bit i stands for the i-th added piece. As many as kMaxPieces are never active at once.
   using Subset = unsigned;
 
-  /// @param normal  Where all pieces are taken: ray frame, unit length, upwards.
-  explicit SecondOrderStep(const Point& normal) : normal_(normal) {}
+  /// @param height   Of the lowest supporting plane so far, on the ray: g; metres, > 0.
+  /// @param damping  Of steps along which the pieces have no curvature, as vertices have none: with 1, they are those
+  ///                 for a ball about the origin.
+  SecondOrderStep(S height, S damping) : best_height_(height), damping_(damping) {}
 
-  /// Adds a piece by its support point along the normal; at most kMaxPieces.
-  /// @param rounding  What is kept apart of the support points' radius, metres.
-  /// @return false if its plane passes through the origin, where it has no model; it is not added then.
-  bool Add(const CurvedDifferencePoint<S, L>& piece, S rounding) {
-    const Point on_surface = piece.support.point + rounding * normal_;
-    const S height = normal_.dot(on_surface) / normal_[L - 1];
-    if (height == 0) return false;
+  /// Adds a piece by its point on C, and how that moves with the direction; at most kMaxPieces. The first one is the
+  /// highest.
+  /// @param height  Of the point's plane on the ray.
+  void Add(const Point& point, const Matrix& derivative, S height) {
     Piece& added = pieces_[static_cast<std::size_t>(size_++)];
-    added.gradient = on_surface.template head<L - 1>();
+    added.gradient = point.template head<L - 1>();
     added.height = height;
-    added.hessian = normal_[L - 1] * piece.derivative + added.gradient * added.gradient.transpose() / height;
-    return true;
+    added.hessian = derivative + added.gradient * added.gradient.transpose() / best_height_;
   }
 
   /// Finds the step; false if there is none. Few pieces have few subsets: the minimum is where one of them is active.
   /// @param guess  Tried first.
   bool Solve(Subset guess) {
     active_ = guess;
-    if (MayBeActive(guess) && IsMinimum(guess)) return true;
-    for (active_ = 1; active_ < 1U << size_; ++active_) {
-      if (active_ != guess && MayBeActive(active_) && IsMinimum(active_)) return true;
-    }
-    return false;
+    if (MayBeActive(guess) && IsMinimum<false>(guess)) return true;
+    return size_ > 1 && (FindMinimum<false>() || FindMinimum<true>());
   }
 
   /// After Solve(): whether the i-th added piece is active.
   bool IsActive(int i) const { return (active_ >> i & 1U) != 0; }
-  /// After Solve(): the height at which the model's plane meets the ray; metres.
-  S Height() const { return height_; }
-  /// After Solve(): the next normal to search, unit length.
-  Point Next() const {
-    Point next;
-    next.template head<L - 1>() = normal_.template head<L - 1>() / normal_[L - 1] + step_;
-    next[L - 1] = 1;
-    return next.normalized();
-  }
+  /// After Solve(): the step across the ray, to the direction (u + step, 1).
+  const Across& Step() const { return step_; }
 
  private:
+  /// Least curvature, as a part of a ball's about the origin through the exit. By measurement: with 1e-2, ellipsoids
+  /// stretched by 100 creep along their flat sides.
+  static constexpr S kLeastCurvature = S(1e-4);
   static constexpr Subset kAll = (1U << kMaxPieces) - 1;
   static bool MayBeActive(Subset subset) { return subset != 0 && subset != kAll; }
 
-  using Across = Vector<S, L - 1>;
-  using Matrix = SquareMatrix<S, L - 1>;
   struct Piece {
     Across gradient;
     S height = 0;
@@ -102,50 +88,79 @@ class SecondOrderStep {
     std::size_t size = 0;
   };
 
+  /// @tparam kIsShared  Whether all subsets have the highest piece's Hessian: by their own, each subset has a model of
+  ///                    its own, and none may have its minimum where that subset is active. By one for all, one has.
+  template <bool kIsShared>
+  [[gnu::noinline]] bool FindMinimum() {
+    for (active_ = 1; active_ < 1U << size_; ++active_) {
+      if (MayBeActive(active_) && IsMinimum<kIsShared>(active_)) return true;
+    }
+    return false;
+  }
+
   /// Whether the model's minimum is where the pieces of the subset are equally high: none of them pulls the others
   /// down, and no other piece is higher there.
+  template <bool kIsShared>
   bool IsMinimum(Subset subset) {
     Members members;
     for (std::size_t i = 0; i < Size(); ++i) {
       if ((subset >> i & 1U) != 0) members.pieces[members.size++] = &pieces_[i];
     }
-    members.multipliers.fill(S(1) / S(members.size));
-    // The Hessian needs the multipliers, and they need the Hessian.
-    Matrix hessian;
-    const int passes = members.size == 1 ? 1 : 2;
-    for (int pass = 0; pass < passes; ++pass) {
-      hessian.setZero();
-      for (std::size_t i = 0; i < members.size; ++i) {
-        hessian += std::max(members.multipliers[i], S(0)) * members.pieces[i]->hessian;
+    if (members.size == 1) {
+      if (!Minimize(kIsShared ? pieces_[0].hessian : members.pieces[0]->hessian, members)) return false;
+    } else {
+      members.multipliers.fill(S(1) / S(members.size));
+      // The Hessian needs the multipliers, and they need the Hessian.
+      for (int pass = 0; pass < (kIsShared ? 1 : 2); ++pass) {
+        if (!Minimize(kIsShared ? pieces_[0].hessian : MeanHessian(members), members)) return false;
       }
-      if (!Minimize(hessian, members)) return false;
     }
     if (!step_.allFinite()) return false;
     for (std::size_t i = 0; i < members.size; ++i) {
       if (!(members.multipliers[i] >= -kSqrtEpsilon<S>)) return false;
     }
-    height_ = members.pieces[0]->height + members.pieces[0]->gradient.dot(step_);
-    const S slack = kWeightSlack<S> * std::abs(height_);
+    const S height = members.pieces[0]->height + members.pieces[0]->gradient.dot(step_);
+    const S slack = kWeightSlack<S> * std::abs(height);
     for (std::size_t i = 0; i < Size(); ++i) {
       const bool is_member = (subset >> i & 1U) != 0;
-      if (!is_member && pieces_[i].height + pieces_[i].gradient.dot(step_) > height_ + slack) return false;
+      if (!is_member && pieces_[i].height + pieces_[i].gradient.dot(step_) > height + slack) return false;
     }
-    height_ += step_.dot(hessian * step_) / 2;
     return true;
   }
 
+  static Matrix MeanHessian(const Members& members) {
+    Matrix hessian = Matrix::Zero();
+    for (std::size_t i = 0; i < members.size; ++i) {
+      hessian += std::max(members.multipliers[i], S(0)) * members.pieces[i]->hessian;
+    }
+    return hessian;
+  }
+
   /// Finds the lowest point among those where all pieces of the subset are equally high, and their multipliers there.
-  /// False if there is none, or more than one: pieces that are alike, or have no curvature.
+  /// False if there is none, or more than one: pieces that are alike.
   bool Minimize(const Matrix& hessian, Members& members) {
     if (members.size == L) return IntersectPlanes(hessian, members);
     if constexpr (L == 3) {
       if (members.size == 2) return FollowLine(hessian, members);
     }
     Matrix inverse;
-    if (!Invert(hessian, inverse)) return false;
+    if (!Invert(IsCurved(hessian) ? hessian : Matrix(hessian + damping_ * best_height_ * Matrix::Identity()),
+                inverse)) {
+      return false;
+    }
     step_ = -(inverse * members.pieces[0]->gradient);
     members.multipliers[0] = 1;
     return true;
+  }
+
+  /// In every direction.
+  bool IsCurved(const Matrix& hessian) const {
+    const S least = kLeastCurvature * best_height_;
+    if constexpr (L == 3) {
+      return hessian(0, 0) * hessian(1, 1) - hessian(0, 1) * hessian(1, 0) > least * hessian.trace();
+    } else {
+      return hessian(0, 0) > least;
+    }
   }
 
   /// As many pieces as planes that meet in a point.
@@ -175,8 +190,8 @@ class SecondOrderStep {
     if (!(length_sq > 0)) return false;
     const Across to_line = (second.height - first.height) / length_sq * edge;
     const Across along(-edge.y(), edge.x());
-    const S curvature = along.dot(hessian * along);
-    if (curvature == 0) return false;
+    S curvature = along.dot(hessian * along);
+    if (!(curvature > kLeastCurvature * best_height_ * length_sq)) curvature += damping_ * best_height_ * length_sq;
     step_ = to_line - along.dot(second.gradient + hessian * to_line) / curvature * along;
     members.multipliers[0] = -edge.dot(hessian * step_ + second.gradient) / length_sq;
     members.multipliers[1] = 1 - members.multipliers[0];
@@ -185,12 +200,12 @@ class SecondOrderStep {
 
   std::size_t Size() const { return static_cast<std::size_t>(size_); }
 
-  Point normal_;
+  S best_height_;
+  S damping_;
   int size_ = 0;
   std::array<Piece, kMaxPieces> pieces_;
   Subset active_ = 0;
   Across step_ = Across::Zero();
-  S height_ = 0;
 };
 
 }  // namespace dgd

@@ -34,7 +34,9 @@ class Cone {
   }
   FeatureId PieceCount() const { return 2; }
   /// See FacedCore: the rim bounds the base.
-  Vector3<S> FaceNormal(FeatureId piece) const { return {0, 0, piece == 0 ? S(0) : S(-1)}; }
+  FlatDisc<S> Face(FeatureId piece) const {
+    return piece == 0 ? FlatDisc<S>() : FlatDisc<S>{{0, 0, -1}, {0, 0, -height_ / 2}, radius_};
+  }
 
   /// The centroid, a quarter of the height above the base.
   Vector3<S> Center() const { return {0, 0, -height_ / 4}; }

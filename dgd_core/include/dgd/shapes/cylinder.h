@@ -30,7 +30,10 @@ class Cylinder {
   }
   FeatureId PieceCount() const { return 2; }
   /// See FacedCore: both rims bound caps.
-  Vector3<S> FaceNormal(FeatureId piece) const { return {0, 0, piece == 0 ? S(1) : S(-1)}; }
+  FlatDisc<S> Face(FeatureId piece) const {
+    const S side = piece == 0 ? S(1) : S(-1);
+    return {{0, 0, side}, {0, 0, side * half_height_}, radius_};
+  }
   const Vector3<S>& Center() const { return center_; }
   S Inradius() const { return std::min(radius_, half_height_); }
   /// See SpreadCore.

@@ -40,7 +40,10 @@ class Frustum {
   }
   FeatureId PieceCount() const { return 2; }
   /// See FacedCore: both rims bound discs.
-  Vector3<S> FaceNormal(FeatureId piece) const { return {0, 0, piece == 0 ? S(-1) : S(1)}; }
+  FlatDisc<S> Face(FeatureId piece) const {
+    if (piece == 0) return {{0, 0, -1}, {0, 0, -height_ / 2}, base_radius_};
+    return {{0, 0, 1}, {0, 0, height_ / 2}, top_radius_};
+  }
 
   /// The centroid.
   Vector3<S> Center() const { return {0, 0, center_z_}; }

@@ -17,8 +17,8 @@ namespace dgd {
 
 /// A x + b for all x of the core. Its support point along d is A S(A^T d) + b, with the core's support point S (eq.
 /// affine-transformation-support-function of the paper). Rotations and translations need not go into A and b, but may:
-/// a set has a pose. Face normals are not handed on: the image of a disc is an ellipse, and ray/flat_face.h counts on a
-/// disc, so queries about such faces take cutting planes.
+/// a set has a pose. Flat faces are not handed on: the image of a disc is an ellipse, so queries about such faces take
+/// cutting planes.
 template <ConvexCore CoreType>
 class Transformed {
  public:

@@ -1,0 +1,143 @@
+// The walk along second-order steps: the answer to most queries of curved sets, and RayIntersection's where it gives
+// up.
+#include "dgd/ray/second_order_walk.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <utility>
+
+#include "dgd/certificate.h"
+#include "dgd/growth_distance.h"
+#include "dgd/shapes.h"
+#include "support/random.h"
+
+namespace dgd_test {
+namespace {
+
+using Eigen::Vector3d;
+using Pose = dgd::Pose<double>;
+
+/// Over two decades.
+double RandomLength(Random& random) { return random.LogUniform(0.05, 5); }
+dgd::RoundedSet<dgd::Ellipsoid<double>> RandomEllipsoid(Random& random) {
+  return {dgd::Ellipsoid<double>({RandomLength(random), RandomLength(random), RandomLength(random)})};
+}
+dgd::RoundedSet<dgd::Box<double>> RandomBox(Random& random) {
+  return {dgd::Box<double>({RandomLength(random), RandomLength(random), RandomLength(random)})};
+}
+dgd::RoundedSet<dgd::Cylinder<double>> RandomCylinder(Random& random) {
+  return {dgd::Cylinder<double>(RandomLength(random), RandomLength(random))};
+}
+dgd::RoundedSet<dgd::Cone<double>> RandomCone(Random& random) {
+  return {dgd::Cone<double>(RandomLength(random), RandomLength(random))};
+}
+dgd::RoundedSet<dgd::Segment<double>> RandomCapsule(Random& random) {
+  return {dgd::Segment<double>(RandomLength(random)), RandomLength(random)};
+}
+
+struct Shares {
+  double answered = 0;    ///< Of the queries, by the walk alone.
+  double iterations = 0;  ///< Of the walk, per query that it answers.
+};
+
+/// Of random pairs: certified, and as cutting planes alone find them.
+template <class Make1, class Make2>
+Shares CheckWalk(const Make1& make_1, const Make2& make_2) {
+  Random random(TestSeed());
+  Shares shares;
+  const int pairs = TestCount(1000, 100);
+  for (int i = 0; i < pairs; ++i) {
+    const auto set_1 = make_1(random);
+    const auto set_2 = make_2(random);
+    using Set1 = std::remove_cvref_t<decltype(set_1)>;
+    using Set2 = std::remove_cvref_t<decltype(set_2)>;
+    const Pose pose_1{random.Rotation(), random.InCube()};
+    const Pose pose_2{random.Rotation(), pose_1.translation + random.Uniform(0.2, 5) * random.UnitVector()};
+    const auto result = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2);
+    EXPECT_EQ(result.status, dgd::Status::kOptimal);
+    const dgd::Certificate certificate = dgd::Certify(set_1, pose_1, set_2, pose_2, result);
+    EXPECT_LE(certificate.primal_infeasibility, 1e-13);
+    EXPECT_LE(certificate.dual_infeasibility, 1e-14);
+    EXPECT_LE(certificate.relative_gap, 1.0001 * dgd::kSqrtEpsilon<double>);
+    EXPECT_LE(certificate.separation_error, 1e-13);
+    const auto cut = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2, {.second_order = false});
+    EXPECT_LE(result.lower_bound, cut.upper_bound * (1 + 1e-12));
+    EXPECT_LE(cut.lower_bound, result.upper_bound * (1 + 1e-12));
+
+    const dgd::Settings<double> settings;
+    const dgd::MinkowskiDifference<Set1, Set2> difference(set_1, pose_1, set_2, pose_2);
+    dgd::SecondOrderWalk<Set1, Set2> walk(difference, settings);
+    const dgd::NoObserver observer;
+    if (!walk.Solve(dgd::Question::kDistance, difference.LikelyNormal(), nullptr, observer)) continue;
+    EXPECT_EQ(walk.UpperBound(), result.upper_bound);
+    shares.answered += 1.0 / pairs;
+    shares.iterations += walk.Iterations();
+  }
+  shares.iterations /= shares.answered * pairs;
+  return shares;
+}
+
+TEST(SecondOrderWalk, OnePiece_IsAlwaysAnsweredByIt) {
+  const Shares shares = CheckWalk(RandomEllipsoid, RandomEllipsoid);
+  EXPECT_GT(shares.answered, 0.99);
+  EXPECT_LT(shares.iterations, 6);
+}
+
+TEST(SecondOrderWalk, PiecesOfOneSet_AreMostlyAnsweredByIt) {
+  for (const Shares& shares : {CheckWalk(RandomEllipsoid, RandomBox), CheckWalk(RandomEllipsoid, RandomCylinder),
+                               CheckWalk(RandomCone, RandomEllipsoid), CheckWalk(RandomEllipsoid, RandomCapsule)}) {
+    EXPECT_GT(shares.answered, 0.95);
+    EXPECT_LT(shares.iterations, 6);
+  }
+}
+
+TEST(SecondOrderWalk, PiecesOfBothSets_AreMostlyAnsweredByIt) {
+  for (const Shares& shares : {CheckWalk(RandomCylinder, RandomCylinder), CheckWalk(RandomCylinder, RandomBox),
+                               CheckWalk(RandomCone, RandomCylinder), CheckWalk(RandomCone, RandomCapsule)}) {
+    EXPECT_GT(shares.answered, 0.9);
+    EXPECT_LT(shares.iterations, 6);
+  }
+}
+
+// Two discs that lie upon each other: the plane touches C in a disc of both radii.
+TEST(SecondOrderWalk, StackedCylinders_MeetInTheirCaps) {
+  Random random(TestSeed());
+  for (int i = 0; i < TestCount(300, 30); ++i) {
+    const double radius_1 = RandomLength(random), radius_2 = RandomLength(random);
+    const double half_1 = RandomLength(random), half_2 = RandomLength(random), rounding = random.Flip() ? 0.1 : 0;
+    const dgd::RoundedSet set_1{dgd::Cylinder<double>(radius_1, half_1), rounding};
+    const dgd::RoundedSet set_2{dgd::Cylinder<double>(radius_2, half_2), rounding};
+    const double distance = random.Uniform(0.1, 3) * (half_1 + half_2),
+                 beside = 0.5 * distance * (radius_1 + radius_2) / (half_1 + half_2 + 2 * rounding);
+    const Eigen::Matrix3d axes = random.Rotation();
+    const Pose pose_1{axes, random.InCube()};
+    const Pose pose_2{axes, pose_1.translation + axes * Vector3d(beside, 0, distance)};
+    const auto result = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2);
+    EXPECT_EQ(result.status, dgd::Status::kOptimal);
+    EXPECT_NEAR(result.GrowthDistance(), distance / (half_1 + half_2 + 2 * rounding), 1e-12 * result.GrowthDistance());
+    EXPECT_LE((result.normal - axes.col(2)).norm(), 1e-12);
+    EXPECT_LE(dgd::Certify(set_1, pose_1, set_2, pose_2, result).primal_infeasibility, 1e-13);
+  }
+}
+
+// A kink of two or three pieces is known from the last query: two directions find that it is where it was.
+TEST(SecondOrderWalk, LastPieces_AreTheFirstOnes) {
+  Random random(TestSeed());
+  double cold = 0, warm = 0;
+  for (int i = 0; i < TestCount(300, 30); ++i) {
+    const auto ellipsoid = RandomEllipsoid(random);
+    const auto box = RandomBox(random);
+    const Pose pose_1{random.Rotation(), random.InCube()};
+    Pose pose_2{random.Rotation(), pose_1.translation + random.Uniform(0.2, 5) * random.UnitVector()};
+    dgd::WarmStart<double> state;
+    cold += dgd::GrowthDistance(ellipsoid, pose_1, box, pose_2, {}, &state).iterations;
+    EXPECT_GE(state.size, 1);
+    pose_2.translation += 1e-4 * random.UnitVector();
+    warm += dgd::GrowthDistance(ellipsoid, pose_1, box, pose_2, {}, &state).iterations;
+  }
+  EXPECT_LT(warm, 0.55 * cold);
+}
+
+}  // namespace
+}  // namespace dgd_test
