@@ -126,7 +126,7 @@ SupportPoint<typename Core::Scalar, kDimension<Core>> GuessSupport(const Core& c
 
 /// A core that knows about how far it reaches in which direction: a cold query of a curved set begins with a normal
 /// that is guessed from this.
-///  * Spread(): a symmetric, positive semidefinite matrix M in the core's frame, metres squared, full or diagonal: about
+///  * Spread(): a symmetric, positive semidefinite matrix M, full or diagonal; core's frame, metres squared. About
 ///    Center(), the core reaches about as far as the ellipsoid does whose support value along d is sqrt(<d, M d>). Any
 ///    will do; a good one saves a direction.
 template <class Core>
