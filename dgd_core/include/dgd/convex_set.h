@@ -63,7 +63,7 @@ concept VertexCore = ConvexCore<Core> && requires(const Core& core, VertexId ver
 /// second-order steps need. Support(d) names the piece that its point is on.
 ///  * PieceSupport(piece, d): the point of that piece that maximises <d, x>, a point of the core whether or not another
 ///    piece reaches farther; and its derivative by d, which need not have unit length.
-///  * PieceCount(): pieces are numbered from 0.
+///  * PieceCount(): pieces are numbered from 0. Of one alone, second-order steps ask PieceSupport() only.
 template <class Core>
 concept SmoothCore = ConvexCore<Core> && requires(const Core& core, FeatureId piece, const VectorOf<Core>& direction) {
   { core.PieceSupport(piece, direction) } -> std::same_as<CurvedPoint<typename Core::Scalar, kDimension<Core>>>;

@@ -6,40 +6,38 @@
 // or a disc of that one, too.
 #pragma once
 
-#include <cmath>
-
 #include "dgd/ray/minkowski_difference.h"
+#include "dgd/ray/tolerances.h"
 #include "dgd/types.h"
 
 namespace dgd {
 
-/// Whether the ray leaves C within a disc of one set's, moved by the other set's support point along its normal.
-/// @param support     Along the normal of one of the discs of its features: `is_of_1` says of which set.
-/// @param height      Of the plane of C there, on the ray, metres.
-/// @param on_1        Out: the point of set 1 that the ray's point comes from.
+/// Whether the ray leaves C through a disc of either set, or of both.
+/// @param support  Of C along the normal.
+/// @param normal   Of a disc, ray frame, unit length.
+/// @param height   Of C's supporting plane there, on the ray, metres.
+/// @param on_1     Out: the point of set 1 that the ray's point comes from; ray frame, about its centre.
 template <class Difference>
-bool LeavesByDisc(const Difference& difference, const typename Difference::Feature& support, bool is_of_1,
-                  typename Difference::S height, typename Difference::Point& on_1) {
+bool LeavesByDisc(const Difference& difference, const typename Difference::Feature& support,
+                  const typename Difference::Point& normal, typename Difference::S height,
+                  typename Difference::Point& on_1) {
   using S = typename Difference::S;
   using Point = typename Difference::Point;
-  FlatDisc<S> disc_1 = difference.Face1(support.feature_1), disc_2 = difference.Face2(support.feature_2);
-  const Point normal = is_of_1 ? disc_1.normal : disc_2.normal;
-  const Point on_ray = height * Point::UnitZ();
-  // What there is of the other set: where its disc lies the same way, that; else the point.
-  constexpr S kSameWay = 4 * kEpsilon<S>;
-  if (!(disc_1.normal.cross(disc_2.normal).norm() <= kSameWay && disc_1.normal.dot(disc_2.normal) > 0)) {
-    if (is_of_1) {
-      disc_2 = {normal, support.point - support.on_1 - difference.Radius2() * normal, 0};
-    } else {
-      disc_1 = {normal, support.on_1 - difference.Radius1() * normal, 0};
-    }
-  }
-  const Point center_1 = disc_1.center + difference.Radius1() * normal;
-  const Point center_2 = disc_2.center + difference.Radius2() * normal;
-  const Point from_center = on_ray - center_1 - center_2;
+  // What touches the plane, of each set: a disc, or the support point alone.
+  const auto touching = [&normal](FlatDisc<S> disc, const Point& point, S radius) {
+    constexpr S kSameWay = 4 * kEpsilon<S>;
+    const bool is_disc = disc.normal.dot(normal) > 0 && disc.normal.cross(normal).norm() <= kSameWay;
+    if (!is_disc) return FlatDisc<S>{normal, point, 0};
+    disc.center += radius * normal;
+    return disc;
+  };
+  const FlatDisc<S> disc_1 = touching(difference.Face1(support.feature_1), support.on_1, difference.Radius1());
+  const FlatDisc<S> disc_2 =
+      touching(difference.Face2(support.feature_2), support.point - support.on_1, difference.Radius2());
+  const Point from_center = height * Point::UnitZ() - disc_1.center - disc_2.center;
   const S radius = disc_1.radius + disc_2.radius;
   if (!(radius > 0 && from_center.norm() <= radius)) return false;
-  on_1 = center_1 + disc_1.radius / radius * from_center;
+  on_1 = disc_1.center + disc_1.radius / radius * from_center;
   return true;
 }
 

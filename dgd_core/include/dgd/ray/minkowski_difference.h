@@ -234,7 +234,7 @@ class MinkowskiDifference {
   FlatDisc<S> Face2(FeatureId feature) const requires(L == 3) {
     return FaceOf(set_2_.core, core_center_2_, to_frame_2_, feature, -1);
   }
-  /// Of the sets, metres.
+  /// The sets' radii, metres.
   S Radius1() const { return set_1_.radius; }
   S Radius2() const { return set_2_.radius; }
 
@@ -283,7 +283,7 @@ class MinkowskiDifference {
     }
   }
 
-  /// Of the support point.
+  /// Of the support point. Where there is but one, nobody is asked.
   template <FeatureCore Core>
   static FeatureId FeatureAlong(const Core& core, const Point& direction, FeatureId hint) {
     if constexpr (SmoothCore<Core>) {
@@ -321,13 +321,8 @@ class MinkowskiDifference {
                                               const Point& direction_2) const requires kIsSmooth {
     const CurvedPoint<S, L> curved_1 = OfFeature(set_1_.core, feature_1, direction_1);
     const CurvedPoint<S, L> curved_2 = OfFeature(set_2_.core, feature_2, direction_2);
-    CurvedDifferencePoint<S, L> curved;
-    curved.support.on_1.noalias() = to_frame_1_ * (curved_1.point - core_center_1_);
-    curved.support.point.noalias() = to_frame_2_ * (core_center_2_ - curved_2.point);
-    curved.support.point += curved.support.on_1;
-    curved.support.feature_1 = feature_1;
-    curved.support.feature_2 = feature_2;
-    curved.derivative.setZero();
+    CurvedDifferencePoint<S, L> curved{CoreDifference({curved_1.point, feature_1}, {curved_2.point, feature_2}),
+                                       SquareMatrix<S, L - 1>::Zero()};
     AddDerivative<typename Set1::Core>(to_frame_1_.template topRows<L - 1>(), curved_1, curved.derivative);
     AddDerivative<typename Set2::Core>(to_frame_2_.template topRows<L - 1>(), curved_2, curved.derivative);
     const S radius = set_1_.radius + set_2_.radius;
@@ -352,15 +347,20 @@ class MinkowskiDifference {
 
   DifferencePoint<S, L> Difference(const SupportPoint<S, L>& support_1, const SupportPoint<S, L>& support_2,
                                    const Point& normal) const {
-    DifferencePoint<S, L> difference;
-    difference.on_1.noalias() = to_frame_1_ * (support_1.point - core_center_1_);
-    difference.point.noalias() = to_frame_2_ * (core_center_2_ - support_2.point);
-    difference.point += difference.on_1;
+    DifferencePoint<S, L> difference = CoreDifference(support_1, support_2);
     if (rounding_ == 0) {
       // Tiny radii belong to the support points: see kMinRounding.
       difference.on_1 += inflation_1_ * normal;
       difference.point += (inflation_1_ + inflation_2_) * normal;
     }
+    return difference;
+  }
+
+  DifferencePoint<S, L> CoreDifference(const SupportPoint<S, L>& support_1, const SupportPoint<S, L>& support_2) const {
+    DifferencePoint<S, L> difference;
+    difference.on_1.noalias() = to_frame_1_ * (support_1.point - core_center_1_);
+    difference.point.noalias() = to_frame_2_ * (core_center_2_ - support_2.point);
+    difference.point += difference.on_1;
     difference.feature_1 = support_1.feature;
     difference.feature_2 = support_2.feature;
     return difference;

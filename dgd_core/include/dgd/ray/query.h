@@ -8,6 +8,7 @@
 
 #include "dgd/growth_distance.h"
 #include "dgd/ray/facet_walk.h"
+#include "dgd/ray/first_normal.h"
 #include "dgd/ray/ray_intersection.h"
 #include "dgd/ray/second_order_walk.h"
 
@@ -93,26 +94,9 @@ template <class Set1, class Set2, class AnyResult>
   return false;
 }
 
-/// The normal to begin with: the last one, or a guess.
-template <class Difference>
-typename Difference::Point FirstNormal(const Difference& difference, const Settings<typename Difference::S>& settings,
-                                       const WarmStart<typename Difference::S, Difference::L>* warm_start) {
-  constexpr int L = Difference::L;
-  if (warm_start != nullptr && HasNormal(*warm_start)) {
-    const auto normal = difference.DirectionToFrame(warm_start->normal_1);
-    if (normal[L - 1] > kSteep<typename Difference::S>) return normal;
-  }
-  if constexpr (L == 3) {
-    if (settings.likely_start) {
-      const auto normal = difference.LikelyNormal();
-      if (normal.z() > kSteep<typename Difference::S>) return normal;
-    }
-  }
-  return Difference::Point::Unit(L - 1);
-}
-
-template <class Query, class S, int L>
-void Report(const Query& query, Status status, Result<S, L>& result) {
+/// What a query in the ray's frame has found.
+template <class Difference, class Query, class S, int L>
+void Report(const Difference&, const Query& query, Status status, Result<S, L>& result) {
   result.status = status;
   result.lower_bound = query.LowerBound();
   result.upper_bound = query.UpperBound();
@@ -121,6 +105,29 @@ void Report(const Query& query, Status status, Result<S, L>& result) {
   result.witness_1 = query.Witness1();
   result.witness_2 = query.Witness2();
 }
+template <class Difference, class Query, class S, int L>
+void Report(const Difference& difference, const Query& query, Status status, CollisionResult<S, L>& result) {
+  result.status = status;
+  switch (status) {
+    case Status::kSeparated:
+      result.normal = query.Normal();
+      result.separation = query.Separation();
+      result.point = query.PointBetween();
+      break;
+    case Status::kCoincidentCenters:
+      result.status = Status::kColliding;
+      [[fallthrough]];
+    case Status::kColliding:
+    case Status::kTouching:
+      // Where the witness points meet when the sets are scaled by the upper bound about their centres: a point of both
+      // sets if that is at most 1.
+      result.point = difference.Center1() + query.UpperBound() * (query.Witness1() - difference.Center1());
+      break;
+    default:
+      break;
+  }
+}
+
 /// What a walk that has given up knows better.
 /// @param bounds  A result or an iterate.
 /// @return for each bound whether it is the walk's now, the lower one first.
@@ -144,30 +151,11 @@ void KeepBetter(const Walk& walk, Result<S, L>& result) {
     result.witness_2 = walk.Witness2();
   }
 }
+/// A yes or no has no bounds.
 template <class Walk, class S, int L>
 void KeepBetter(const Walk&, CollisionResult<S, L>&) {}
 
-template <class Query, class S, int L>
-void Report(const Query& query, Status status, CollisionResult<S, L>& result) {
-  result.status = status;
-  switch (status) {
-    case Status::kSeparated:
-      result.normal = query.Normal();
-      result.separation = query.Separation();
-      result.point = query.PointBetween();
-      break;
-    case Status::kCoincidentCenters:
-      result.status = Status::kColliding;
-      [[fallthrough]];
-    case Status::kColliding:
-    case Status::kTouching:
-      result.point = query.MeetingPoint();
-      break;
-    default:
-      break;
-  }
-}
-
+/// @param settings  Of what is left to do.
 template <class Set1, class Set2, class Observer, class AnyResult>
 void AnswerByRayIntersection(Question question, const MinkowskiDifference<Set1, Set2>& difference,
                              const Settings<typename Set1::Scalar>& settings, WarmStartOf<Set1>* warm_start,
@@ -180,15 +168,41 @@ void AnswerByRayIntersection(Question question, const MinkowskiDifference<Set1, 
     return;
   }
   result.iterations += query.Iterations();
-  Report(query, status, result);
+  Report(difference, query, status, result);
+}
+
+/// From the best normal of a walk that has given up.
+/// @param settings  As the walk's.
+template <class Set1, class Set2, class Observer, class AnyResult>
+[[gnu::noinline]] void GoOnByRayIntersection(Question question, const SecondOrderWalk<Set1, Set2>& walk,
+                                             const MinkowskiDifference<Set1, Set2>& difference,
+                                             Settings<typename Set1::Scalar> settings, WarmStartOf<Set1>* warm_start,
+                                             Observer& observer, AnyResult& result) {
+  settings.max_iterations -= walk.Iterations();
+  WarmStartOf<Set1> unheld;
+  WarmStartOf<Set1>& start = warm_start != nullptr ? *warm_start : unheld;
+  start = {};
+  start.normal_1 = difference.NormalOfSet1(walk.NormalInFrame());
+  if constexpr (std::is_same_v<Observer, const NoObserver>) {
+    AnswerByRayIntersection(question, difference, settings, &start, observer, result);
+  } else {
+    const auto going_on = [&walk, &observer](auto iterate) {
+      iterate.iteration += walk.Iterations();
+      KeepBetterBounds(walk, iterate);
+      observer(iterate);
+    };
+    AnswerByRayIntersection(question, difference, settings, &start, going_on, result);
+  }
+  if (result.status != Status::kNoInterior) KeepBetter(walk, result);
 }
 
 /// Asks the Minkowski difference, in the ray's frame: along second-order steps, if it is curved, and by RayIntersection
-/// from where these end.
+/// otherwise, and from where these end.
 /// @param settings  Of what is left to do.
+/// @param result    In: the iterations done.
 template <class Set1, class Set2, class Observer, class AnyResult>
 [[gnu::flatten]] void AnswerInFrame(Question question, const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
-                                    const PoseOf<Set1>& pose_2, Settings<typename Set1::Scalar> settings,
+                                    const PoseOf<Set1>& pose_2, const Settings<typename Set1::Scalar>& settings,
                                     WarmStartOf<Set1>* warm_start, Observer& observer, AnyResult& result) {
   using Difference = MinkowskiDifference<Set1, Set2>;
   const Difference difference(set_1, pose_1, set_2, pose_2, settings.rounding);
@@ -201,28 +215,9 @@ template <class Set1, class Set2, class Observer, class AnyResult>
       SecondOrderWalk<Set1, Set2> walk(difference, settings);
       const auto status = walk.Solve(question, FirstNormal(difference, settings, warm_start), warm_start, observer);
       result.iterations += walk.Iterations();
-      if (status) {
-        if (warm_start != nullptr) walk.Remember(*status, *warm_start);
-        Report(walk, *status, result);
-        return;
-      }
-      settings.max_iterations -= walk.Iterations();
-      WarmStartOf<Set1> own;
-      if (warm_start == nullptr) warm_start = &own;
-      *warm_start = {};
-      warm_start->normal_1 = difference.NormalOfSet1(walk.NormalInFrame());
-      if constexpr (std::is_same_v<Observer, const NoObserver>) {
-        AnswerByRayIntersection(question, difference, settings, warm_start, observer, result);
-      } else {
-        const auto told = [&walk, &observer](Iterate<typename Set1::Scalar, Difference::L> iterate) {
-          iterate.iteration += walk.Iterations();
-          KeepBetterBounds(walk, iterate);
-          observer(iterate);
-        };
-        AnswerByRayIntersection(question, difference, settings, warm_start, told, result);
-      }
-      if (result.status != Status::kNoInterior) KeepBetter(walk, result);
-      return;
+      if (!status) return GoOnByRayIntersection(question, walk, difference, settings, warm_start, observer, result);
+      if (warm_start != nullptr) walk.Remember(*status, *warm_start);
+      return Report(difference, walk, *status, result);
     }
   }
   AnswerByRayIntersection(question, difference, settings, warm_start, observer, result);

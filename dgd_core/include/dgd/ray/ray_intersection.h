@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "dgd/query_types.h"
+#include "dgd/ray/first_normal.h"
 #include "dgd/ray/inner_approximation.h"
 #include "dgd/ray/known_points.h"
 #include "dgd/ray/minkowski_difference.h"
@@ -52,9 +53,6 @@ class RayIntersection {
   Point Witness2() const {
     return coincident_ ? difference_.Center2() : difference_.World2(Inner().CorePoint2(), Inner().Normal());
   }
-  /// Where the witness points meet when the sets are scaled by the upper bound about their centres: a point of both
-  /// sets if that is at most 1.
-  Point MeetingPoint() const { return difference_.Center1() + UpperBound() * (Witness1() - difference_.Center1()); }
   /// A point half way between the supporting planes along the normal.
   Point PointBetween() const {
     return difference_.World1(outer_.SupportPoint1(), outer_.Normal()) + Separation() / 2 * Normal();
@@ -78,7 +76,9 @@ class RayIntersection {
 
   template <class Observer>
   [[gnu::flatten]] Status Improve(Question question, const WarmStart<S, L>* warm_start, Observer& observer) {
-    Point normal = warm_start != nullptr ? AdoptLastState(*warm_start) : FirstNormal(), direction = normal;
+    Point normal =
+              warm_start != nullptr ? AdoptLastState(*warm_start) : FirstNormal(difference_, settings_, warm_start),
+          direction = normal;
     for (;;) {
       if (!(normal[L - 1] > 0)) return Status::kStalled;  // Also for NaN.
       const S last_outer = outer_.Height(), last_inner = inner_.Height();
@@ -203,9 +203,8 @@ class RayIntersection {
   /// Polytopes: primal warm start (Sec. III-D3). The last basis, moved with the sets, goes into the inner
   /// approximation; all at once if it still carries the ray, else point by point. Curved cores, and sets that were
   /// apart: dual warm start, the last normal begins the outer approximation. By measurement (tests/bench/iterations,
-  /// after a motion of 1 %): hulls take 1.1 directions from the basis and 4.5 from the normal, which then is no facet's
-  /// any more; curved primitives 4.0 from the basis, whose points have moved along their pieces, and 3.5 from the
-  /// normal.
+  /// after a motion of 1 %), hulls take 1.1 directions from the basis and 4.5 from the normal, which then is no facet's
+  /// any more; of curved cores, the points have moved along their pieces.
   /// @return the first direction to search.
   Point AdoptLastState(const WarmStart<S, L>& warm_start) {
     hint_1_ = warm_start.features_1[0];
@@ -223,20 +222,7 @@ class RayIntersection {
         return inner_.Normal();
       }
     }
-    if (HasNormal(warm_start)) {
-      // Scaled to unit length each time: the rotations' rounding would add up over the frames.
-      const Point normal = difference_.DirectionToFrame(warm_start.normal_1).normalized();
-      if (normal[L - 1] > 0) return normal;
-    }
-    return FirstNormal();
-  }
-
-  /// Without any state. Alg. 1 begins along the ray. A guess takes longer than it saves in the plane, and for hulls.
-  Point FirstNormal() const {
-    if constexpr (Difference::kIsSmooth && L == 3) {
-      if (settings_.likely_start) return difference_.LikelyNormal();
-    }
-    return inner_.Normal();
+    return FirstNormal(difference_, settings_, &warm_start);
   }
 
   /// Not inlined: the rarer of two ways, and long.

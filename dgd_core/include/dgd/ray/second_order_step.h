@@ -70,8 +70,8 @@ class SecondOrderStep {
   const Across& Step() const { return step_; }
 
  private:
-  /// Least curvature, as a part of a ball's about the origin through the exit. By measurement: with 1e-2, ellipsoids
-  /// stretched by 100 creep along their flat sides.
+  /// Least curvature, as a part of that of a ball about the origin as far out as the lowest plane. By measurement: with
+  /// 2e-2, two of a hundred pairs of ellipsoids stretched by up to 100 creep along their flat sides; with 1e-3, none.
   static constexpr S kLeastCurvature = S(1e-4);
   static constexpr Subset kAll = (1U << kMaxPieces) - 1;
   static bool MayBeActive(Subset subset) { return subset != 0 && subset != kAll; }
@@ -88,8 +88,10 @@ class SecondOrderStep {
     std::size_t size = 0;
   };
 
-  /// @tparam kIsShared  Whether all subsets have the highest piece's Hessian: by their own, each subset has a model of
-  ///                    its own, and none may have its minimum where that subset is active. By one for all, one has.
+  /// @tparam kIsShared  Whether all subsets have the highest piece's Hessian. With Hessians of their own, each is
+  /// active
+  ///                    in another model, and there may be none whose minimum it is; with one for all, they are of one
+  ///                    convex program, which has a minimum.
   template <bool kIsShared>
   [[gnu::noinline]] bool FindMinimum() {
     for (active_ = 1; active_ < 1U << size_; ++active_) {
