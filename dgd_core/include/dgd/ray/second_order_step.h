@@ -73,6 +73,8 @@ class SecondOrderStep {
   /// Least curvature, as a part of that of a ball about the origin as far out as the lowest plane. By measurement: with
   /// 2e-2, two of a hundred pairs of ellipsoids stretched by up to 100 creep along their flat sides; with 1e-3, none.
   static constexpr S kLeastCurvature = S(1e-4);
+  /// Steps to directions that are all but across the ray are no steps: nor are there multipliers then, which overflow.
+  static constexpr S kFarthest = 1 / kSqrtEpsilon<S>;
   static constexpr Subset kAll = (1U << kMaxPieces) - 1;
   static bool MayBeActive(Subset subset) { return subset != 0 && subset != kAll; }
 
@@ -176,8 +178,11 @@ class SecondOrderStep {
       rises[i] = last.height - piece.height;
     }
     Matrix inverse;
-    if (!Invert(edges, inverse)) return false;
+    if (!(std::abs(edges.determinant()) > (L == 3 ? Alike() * Alike() : Alike())) || !Invert(edges, inverse)) {
+      return false;
+    }
     step_ = inverse.transpose() * rises;
+    if (!(step_.cwiseAbs().maxCoeff() < kFarthest)) return false;
     const Across multipliers = inverse * -(hessian * step_ + last.gradient);
     for (int i = 0; i < L - 1; ++i) members.multipliers[static_cast<std::size_t>(i)] = multipliers[i];
     members.multipliers[L - 1] = 1 - multipliers.sum();
@@ -189,16 +194,20 @@ class SecondOrderStep {
     const Piece &first = *members.pieces[0], &second = *members.pieces[1];
     const Across edge = first.gradient - second.gradient;
     const S length_sq = edge.squaredNorm();
-    if (!(length_sq > 0)) return false;
+    if (!(length_sq > Alike() * Alike())) return false;
     const Across to_line = (second.height - first.height) / length_sq * edge;
     const Across along(-edge.y(), edge.x());
     S curvature = along.dot(hessian * along);
     if (!(curvature > kLeastCurvature * best_height_ * length_sq)) curvature += damping_ * best_height_ * length_sq;
     step_ = to_line - along.dot(second.gradient + hessian * to_line) / curvature * along;
+    if (!(step_.cwiseAbs().maxCoeff() < kFarthest)) return false;
     members.multipliers[0] = -edge.dot(hessian * step_ + second.gradient) / length_sq;
     members.multipliers[1] = 1 - members.multipliers[0];
     return true;
   }
+
+  /// Gradients that differ by less are those of pieces that are alike but for rounding; metres.
+  S Alike() const { return kEpsilon<S> * best_height_; }
 
   std::size_t Size() const { return static_cast<std::size_t>(size_); }
 
