@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cfenv>
+#include <limits>
 #include <vector>
 
 #include "dgd/ray/minkowski_difference.h"
@@ -72,6 +74,16 @@ TEST(KinkStep, PointsAlike_HaveNone) {
   Point next;
   EXPECT_FALSE(dgd::StepOnKink<double>(Point::UnitZ(), TangentsAt(Point::UnitZ()),
                                        ModelsAt({ball, ball}, Point::UnitZ()), next));
+}
+
+TEST(KinkStep, NoSecondDerivative_None_AndNotCalculatedWith) {
+  const Point normal = Point::UnitZ();
+  dgd::PieceModels<double> pieces = ModelsAt({{{-1, 0, -2}, 0.3}, {{1, 0, -2}, 0.3}}, normal);
+  pieces[1].curvature.setConstant(std::numeric_limits<double>::quiet_NaN());
+  Point next;
+  std::feclearexcept(FE_ALL_EXCEPT);
+  EXPECT_FALSE(dgd::StepOnKink<double>(normal, TangentsAt(normal), pieces, next));
+  EXPECT_EQ(std::fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW), 0);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include <cstddef>
 
 #include "dgd/invert.h"
+#include "dgd/ray/tolerances.h"
 #include "dgd/types.h"
 
 namespace dgd {
@@ -41,7 +42,8 @@ struct PieceModels {
 /// @param tangents  Rows: two unit vectors across `normal` and across each other.
 /// @param pieces    At least one.
 /// @param next      Out: the next normal, unit length.
-/// @return false if the pieces' points are in line with the normal, or alike.
+/// @return false if the pieces' points are in line with the normal, or alike, or if a support function has no second
+///         derivative there.
 template <class S>
 bool StepOnKink(const Vector3<S>& normal, const Eigen::Matrix<S, 2, 3>& tangents, const PieceModels<S>& pieces,
                 Vector3<S>& next) {
@@ -53,9 +55,13 @@ bool StepOnKink(const Vector3<S>& normal, const Eigen::Matrix<S, 2, 3>& tangents
     gradient += piece.weight * (tangents * piece.point);
     hessian += piece.weight * (piece.curvature - normal.dot(piece.point) * SquareMatrix<S, 2>::Identity());
   }
+  // Along a rim's axis, it has none.
+  if (!hessian.allFinite()) return false;
   // Across the normal, and along it.
   const auto slope = [&](std::size_t i) -> Vector2<S> { return tangents * (pieces[i].point - first.point); };
   const auto lead = [&](std::size_t i) -> S { return normal.dot(first.point - pieces[i].point); };
+  // Points that are no farther apart are alike but for rounding.
+  const S alike_sq = kEpsilon<S> * kEpsilon<S> * first.point.squaredNorm();
   Vector2<S> step;
   if (pieces.size == 1) {
     SquareMatrix<S, 2> inverse;
@@ -64,17 +70,17 @@ bool StepOnKink(const Vector3<S>& normal, const Eigen::Matrix<S, 2, 3>& tangents
   } else if (pieces.size == 2) {
     const Vector2<S> a = slope(1);
     const S length_sq = a.squaredNorm();
-    if (!(length_sq > 0)) return false;
+    if (!(length_sq > alike_sq)) return false;
     const Vector2<S> across(-a.y(), a.x());
     step = lead(1) / length_sq * a;
     const S curvature = across.dot(hessian * across);
-    if (!(curvature > 0)) return false;
+    if (!(curvature > kEpsilon<S> * hessian.norm() * length_sq)) return false;
     step -= across.dot(gradient + hessian * step) / curvature * across;
   } else {
     SquareMatrix<S, 2> slopes;
     slopes << slope(1).transpose(), slope(2).transpose();
     SquareMatrix<S, 2> inverse;
-    if (!Invert(slopes, inverse)) return false;
+    if (!(std::abs(slopes.determinant()) > alike_sq) || !Invert(slopes, inverse)) return false;
     step = inverse * Vector2<S>(lead(1), lead(2));
   }
   const S length = step.norm();
