@@ -1,10 +1,12 @@
-// The walk along second-order steps: the answer to most queries of curved sets, and RayIntersection's where it gives
-// up.
+// The walk along second-order steps: the answer to most queries of curved sets, and one in turns with RayIntersection
+// where it gives up.
 #include "dgd/ray/second_order_walk.h"
 
 #include <gtest/gtest.h>
 
-#include <optional>
+#include <algorithm>
+#include <cstdio>
+#include <limits>
 #include <utility>
 
 #include "dgd/certificate.h"
@@ -118,6 +120,85 @@ TEST(SecondOrderWalk, StackedCylinders_MeetInTheirCaps) {
     EXPECT_NEAR(result.GrowthDistance(), distance / (half_1 + half_2 + 2 * rounding), 1e-12 * result.GrowthDistance());
     EXPECT_LE((result.normal - axes.col(2)).norm(), 1e-12);
     EXPECT_LE(dgd::Certify(set_1, pose_1, set_2, pose_2, result).primal_infeasibility, 1e-13);
+  }
+}
+
+/// A query that the first walk leaves to others, if this one is such.
+struct LeftPair {
+  dgd::RoundedSet<dgd::Cone<double>> set_1, set_2;
+  Pose pose_1, pose_2;
+
+  explicit LeftPair(Random& random)
+      : set_1(RandomCone(random)),
+        set_2(RandomCone(random)),
+        pose_1{random.Rotation(), random.InCube()},
+        pose_2{random.Rotation(), pose_1.translation + random.Uniform(0.2, 5) * random.UnitVector()} {}
+
+  bool IsLeft() const {
+    using Set = dgd::RoundedSet<dgd::Cone<double>>;
+    const dgd::Settings<double> settings;
+    const dgd::MinkowskiDifference<Set, Set> difference(set_1, pose_1, set_2, pose_2);
+    dgd::SecondOrderWalk<Set, Set> walk(difference, settings);
+    const dgd::NoObserver observer;
+    return !walk.Solve(dgd::Question::kDistance, difference.LikelyNormal(), nullptr, observer).has_value();
+  }
+};
+
+// The walk itself has taken six iterations.
+TEST(SecondOrderWalk, WhatItLeaves_IsWalkedAgainFromNearby) {
+  Random random(TestSeed());
+  int left = 0, longest = 0;
+  double iterations = 0;
+  for (int i = 0; i < TestCount(4000, 400); ++i) {
+    const LeftPair pair(random);
+    if (!pair.IsLeft()) continue;
+    ++left;
+    const auto result = dgd::GrowthDistance(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2);
+    ASSERT_EQ(result.status, dgd::Status::kOptimal);
+    const dgd::Certificate certificate = dgd::Certify(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2, result);
+    EXPECT_LE(certificate.primal_infeasibility, 1e-13);
+    EXPECT_LE(certificate.relative_gap, 1.0001 * dgd::kSqrtEpsilon<double>);
+    iterations += result.iterations;
+    longest = std::max(longest, result.iterations);
+    // The same yes or no.
+    const auto yes_no = dgd::DetectCollision(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2);
+    if (result.lower_bound > 1) EXPECT_EQ(yes_no.status, dgd::Status::kSeparated);
+    if (result.upper_bound < 1) EXPECT_EQ(yes_no.status, dgd::Status::kColliding);
+  }
+  std::printf("%d left, %.2f iterations, %d at most\n", left, iterations / left, longest);
+  ASSERT_GT(left, 0);
+  EXPECT_LT(iterations / left, 18);
+  EXPECT_LT(longest, 60);
+}
+
+TEST(SecondOrderWalk, WhatItLeaves_IsOneQueryToObserversAndLimits) {
+  Random random(TestSeed());
+  for (int left = 0; left < TestCount(40, 5);) {
+    const LeftPair pair(random);
+    if (!pair.IsLeft()) continue;
+    ++left;
+    int iteration = 0;
+    double lower = 0, upper = std::numeric_limits<double>::infinity();
+    const auto observer = [&](const dgd::Iterate<double, 3>& iterate) {
+      EXPECT_EQ(iterate.iteration, ++iteration);
+      EXPECT_GE(iterate.lower_bound, lower);
+      EXPECT_LE(iterate.upper_bound, upper);
+      lower = iterate.lower_bound;
+      upper = iterate.upper_bound;
+    };
+    dgd::WarmStart<double>* none = nullptr;
+    const auto result = dgd::GrowthDistance(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2, {}, none, observer);
+    EXPECT_EQ(result.iterations, iteration);
+    EXPECT_EQ(result.lower_bound, lower);
+    EXPECT_EQ(result.upper_bound, upper);
+    for (int limit = 1; limit < result.iterations; ++limit) {
+      const auto limited =
+          dgd::GrowthDistance(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2, {.max_iterations = limit});
+      EXPECT_EQ(limited.status, dgd::Status::kIterationLimit);
+      EXPECT_LE(limited.iterations, limit);
+      EXPECT_LE(limited.lower_bound, result.upper_bound);
+      EXPECT_GE(limited.upper_bound, result.lower_bound);
+    }
   }
 }
 

@@ -1,8 +1,10 @@
-// What growth_distance.h declares: by the last normal, by a walk, or by RayIntersection.
+// What growth_distance.h declares: by the last normal, by a walk, by RayIntersection, or by turns of these.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -128,7 +130,8 @@ void Report(const Difference& difference, const Query& query, Status status, Col
   }
 }
 
-/// What a walk that has given up knows better.
+/// What a walk that has given up knows better. Where rounding puts the bounds in the wrong order, the upper one stays,
+/// as it does in each part.
 /// @param bounds  A result or an iterate.
 /// @return for each bound whether it is the walk's now, the lower one first.
 template <class Walk, class Bounds>
@@ -138,8 +141,11 @@ std::pair<bool, bool> KeepBetterBounds(const Walk& walk, Bounds& bounds) {
     bounds.lower_bound = walk.LowerBound();
     bounds.normal = walk.Normal();
   }
-  const bool has_upper = walk.UpperBound() < bounds.upper_bound && walk.UpperBound() >= bounds.lower_bound;
-  if (has_upper) bounds.upper_bound = walk.UpperBound();
+  const bool has_upper = walk.UpperBound() < bounds.upper_bound;
+  if (has_upper) {
+    bounds.upper_bound = walk.UpperBound();
+    bounds.lower_bound = std::min(bounds.lower_bound, bounds.upper_bound);
+  }
   return {has_lower, has_upper};
 }
 template <class Walk, class S, int L>
@@ -171,33 +177,77 @@ void AnswerByRayIntersection(Question question, const MinkowskiDifference<Set1, 
   Report(difference, query, status, result);
 }
 
-/// From the best normal of a walk that has given up.
-/// @param settings  As the walk's.
-template <class Set1, class Set2, class Observer, class AnyResult>
-[[gnu::noinline]] void GoOnByRayIntersection(Question question, const SecondOrderWalk<Set1, Set2>& walk,
-                                             const MinkowskiDifference<Set1, Set2>& difference,
-                                             Settings<typename Set1::Scalar> settings, WarmStartOf<Set1>* warm_start,
-                                             Observer& observer, AnyResult& result) {
-  settings.max_iterations -= walk.Iterations();
-  WarmStartOf<Set1> unheld;
-  WarmStartOf<Set1>& start = warm_start != nullptr ? *warm_start : unheld;
-  start = {};
-  start.normal_1 = difference.NormalOfSet1(walk.NormalInFrame());
+/// Calls `solve` with an observer to whom its iterates are those of one query: counted on from the earlier parts', with
+/// the better of the bounds.
+template <class Solve, class Observer, class... Earlier>
+auto TellOf(Solve solve, Observer& observer, [[maybe_unused]] const Earlier&... earlier) {
   if constexpr (std::is_same_v<Observer, const NoObserver>) {
-    AnswerByRayIntersection(question, difference, settings, &start, observer, result);
+    return solve(observer);
   } else {
-    const auto going_on = [&walk, &observer](auto iterate) {
-      iterate.iteration += walk.Iterations();
-      KeepBetterBounds(walk, iterate);
+    const auto going_on = [&](auto iterate) {
+      iterate.iteration += (earlier.Iterations() + ...);
+      (KeepBetterBounds(earlier, iterate), ...);
       observer(iterate);
     };
-    AnswerByRayIntersection(question, difference, settings, &start, going_on, result);
+    return solve(going_on);
   }
-  if (result.status != Status::kNoInterior) KeepBetter(walk, result);
 }
 
-/// Asks the Minkowski difference, in the ray's frame: along second-order steps, if it is curved, and by RayIntersection
-/// otherwise, and from where these end.
+/// Where a walk gives up, it has met pieces too far from the answer to fit its model. RayIntersection finds the way
+/// near, and from there a second walk takes a few steps where RayIntersection would take some ten; if that one gives
+/// up, too, RayIntersection goes on. By measurement, of 1 to 6 % of pairs of curved sets that the first walk leaves,
+/// the second one leaves 0.1 %.
+/// @param settings  As the first walk's.
+template <class Set1, class Set2, class Observer, class AnyResult>
+[[gnu::noinline]] void AnswerInTurns(Question question, const SecondOrderWalk<Set1, Set2>& first,
+                                     const MinkowskiDifference<Set1, Set2>& difference,
+                                     Settings<typename Set1::Scalar> settings, WarmStartOf<Set1>* warm_start,
+                                     Observer& observer, AnyResult& result) {
+  using S = typename Set1::Scalar;
+  constexpr S kNear = S(1e-3);
+  const S tolerance = settings.relative_tolerance;
+  WarmStartOf<Set1> unheld;
+  WarmStartOf<Set1>& state = warm_start != nullptr ? *warm_start : unheld;
+  state = {};
+  state.normal_1 = difference.NormalOfSet1(first.NormalInFrame());
+
+  settings.max_iterations -= first.Iterations();
+  settings.relative_tolerance = std::max(tolerance, kNear);
+  RayIntersection<Set1, Set2> cuts(difference, settings);
+  Status status = TellOf([&](auto& told) { return cuts.Solve(question, &state, told); }, observer, first);
+  if (status == Status::kNoInterior) {
+    result = {};
+    result.status = status;
+    return;
+  }
+  settings.relative_tolerance = tolerance;
+  Settings<S> remaining = settings;
+  remaining.max_iterations -= cuts.Iterations();
+  SecondOrderWalk<Set1, Set2> second(difference, remaining);
+  std::optional<Status> verdict;
+  const bool is_near = status == Status::kOptimal || status == Status::kTouching;
+  if (is_near && cuts.UpperBound() > cuts.LowerBound() * (1 + tolerance)) {
+    const auto walk_again = [&](auto& told) { return second.Solve(question, cuts.NormalInFrame(), &state, told); };
+    const auto go_on = [&](auto& told) { return cuts.GoOn(question, state, told); };
+    status = Status::kIterationLimit;
+    if (remaining.max_iterations > 0) verdict = TellOf(walk_again, observer, first, cuts);
+    settings.max_iterations -= second.Iterations();
+    if (!verdict && cuts.Iterations() < settings.max_iterations) status = TellOf(go_on, observer, first, second);
+  }
+  result.iterations += cuts.Iterations() + second.Iterations();
+  if (verdict) {
+    second.Remember(*verdict, state);
+    Report(difference, second, *verdict, result);
+  } else {
+    Report(difference, cuts, status, result);
+  }
+  KeepBetter(first, result);
+  KeepBetter(second, result);
+  KeepBetter(cuts, result);
+}
+
+/// Asks the Minkowski difference, in the ray's frame: along second-order steps, if it is curved, and from where these
+/// end; by RayIntersection otherwise.
 /// @param settings  Of what is left to do.
 /// @param result    In: the iterations done.
 template <class Set1, class Set2, class Observer, class AnyResult>
@@ -215,7 +265,7 @@ template <class Set1, class Set2, class Observer, class AnyResult>
       SecondOrderWalk<Set1, Set2> walk(difference, settings);
       const auto status = walk.Solve(question, FirstNormal(difference, settings, warm_start), warm_start, observer);
       result.iterations += walk.Iterations();
-      if (!status) return GoOnByRayIntersection(question, walk, difference, settings, warm_start, observer, result);
+      if (!status) return AnswerInTurns(question, walk, difference, settings, warm_start, observer, result);
       if (warm_start != nullptr) walk.Remember(*status, *warm_start);
       return Report(difference, walk, *status, result);
     }

@@ -22,6 +22,7 @@ class RayIntersection {
   static constexpr int L = Difference::L;
   using Point = Vector<S, L>;
 
+  /// @param settings  May be changed before GoOn().
   RayIntersection(const Difference& difference, const Settings<S>& settings)
       : difference_(difference), settings_(settings), inner_(Start()) {}
 
@@ -31,9 +32,19 @@ class RayIntersection {
   Status Solve(Question question, WarmStart<S, L>* warm_start, Observer& observer) {
     if (!(difference_.Inradius() > 0)) return Status::kNoInterior;
     const bool coincident = !difference_.HasRay();
-    const Status status = coincident ? MeasureAlongAnyNormal(warm_start) : Improve(question, warm_start, observer);
+    const Status status = coincident ? MeasureAlongAnyNormal(warm_start)
+                                     : Improve(question, FirstDirection(warm_start), warm_start, observer);
     if (!coincident && status != Status::kSeparated) Settle();
     if (warm_start != nullptr) Remember(status, *warm_start);
+    return status;
+  }
+
+  /// After Solve() to a coarser tolerance: from where that ended.
+  template <class Observer>
+  Status GoOn(Question question, WarmStart<S, L>& warm_start, Observer& observer) {
+    const Status status = Improve(question, Inner().Normal(), &warm_start, observer);
+    if (status != Status::kSeparated) Settle();
+    Remember(status, warm_start);
     return status;
   }
 
@@ -43,6 +54,9 @@ class RayIntersection {
     return coincident_ ? S(0) : difference_.Length() / std::max(outer_.Height(), Inner().Height());
   }
   S UpperBound() const { return coincident_ ? S(0) : difference_.Length() / Inner().Height(); }
+  /// Of the lowest supporting plane so far; ray frame, unit length.
+  const Point& NormalInFrame() const { return outer_.Normal(); }
+  /// World.
   Point Normal() const { return difference_.DirectionToWorld(outer_.Normal()); }
   /// Distance of the supporting planes along the normal, metres.
   S Separation() const { return outer_.Normal()[L - 1] * difference_.Length() - outer_.SupportValue(); }
@@ -74,11 +88,11 @@ class RayIntersection {
     return Status::kCoincidentCenters;
   }
 
+  /// @param normal  The first one to search.
   template <class Observer>
-  [[gnu::flatten]] Status Improve(Question question, const WarmStart<S, L>* warm_start, Observer& observer) {
-    Point normal =
-              warm_start != nullptr ? AdoptLastState(*warm_start) : FirstNormal(difference_, settings_, warm_start),
-          direction = normal;
+  [[gnu::noinline, gnu::flatten]] Status Improve(Question question, Point normal, const WarmStart<S, L>* warm_start,
+                                                 Observer& observer) {
+    Point direction = normal;
     for (;;) {
       if (!(normal[L - 1] > 0)) return Status::kStalled;  // Also for NaN.
       const S last_outer = outer_.Height(), last_inner = inner_.Height();
@@ -206,6 +220,9 @@ class RayIntersection {
   /// after a motion of 1 %), hulls take 1.1 directions from the basis and 4.5 from the normal, which then is no facet's
   /// any more; of curved cores, the points have moved along their pieces.
   /// @return the first direction to search.
+  Point FirstDirection(const WarmStart<S, L>* last) {
+    return last != nullptr ? AdoptLastState(*last) : FirstNormal(difference_, settings_, last);
+  }
   Point AdoptLastState(const WarmStart<S, L>& warm_start) {
     hint_1_ = warm_start.features_1[0];
     hint_2_ = warm_start.features_2[0];

@@ -15,6 +15,11 @@
 // The products of gradients make it the step for g^2 / 2, the squared support function, which is quadratic for a ball
 // or an ellipsoid about the origin where g itself is a cone; at the minimum they vanish along the step. Far from it,
 // they keep steps short.
+//
+// Pieces that bend differently are no longer equally high at the end of such a step, however good it is along the curve
+// where they are: what is higher by it looks like a step too far (Maratos 1978). So d is moved back onto that curve, as
+// far as the pieces' second derivatives tell it: the second-order correction of sequential quadratic programming
+// (Nocedal and Wright, "Numerical Optimization", Sec. 18.3).
 #pragma once
 
 #include <algorithm>
@@ -48,11 +53,14 @@ class SecondOrderStep {
 
   /// Adds a piece by its point on C, and how that moves with the direction; at most kMaxPieces. The first one is the
   /// highest.
-  /// @param height  Of the point's plane on the ray.
-  void Add(const Point& point, const Matrix& derivative, S height) {
+  /// @param height    Of the point's plane on the ray.
+  /// @param is_plane  Whether the piece stands for that plane alone: the point is one of another direction.
+  void Add(const Point& point, const Matrix& derivative, S height, bool is_plane) {
     Piece& added = pieces_[static_cast<std::size_t>(size_++)];
     added.gradient = point.template head<L - 1>();
     added.height = height;
+    added.is_plane = is_plane;
+    added.derivative = derivative;
     added.hessian = derivative + added.gradient * added.gradient.transpose() / best_height_;
   }
 
@@ -81,7 +89,9 @@ class SecondOrderStep {
   struct Piece {
     Across gradient;
     S height = 0;
-    Matrix hessian;
+    bool is_plane = false;
+    Matrix derivative;  ///< Of the gradient.
+    Matrix hessian;     ///< What the model takes for that.
   };
   /// Pieces that are taken to be equally high, and their multipliers.
   struct Members {
@@ -91,9 +101,8 @@ class SecondOrderStep {
   };
 
   /// @tparam kIsShared  Whether all subsets have the highest piece's Hessian. With Hessians of their own, each is
-  /// active
-  ///                    in another model, and there may be none whose minimum it is; with one for all, they are of one
-  ///                    convex program, which has a minimum.
+  ///                    active in another model, and there may be none whose minimum it is; with one for all, they are
+  ///                    of one convex program, which has a minimum.
   template <bool kIsShared>
   [[gnu::noinline]] bool FindMinimum() {
     for (active_ = 1; active_ < 1U << size_; ++active_) {
@@ -129,6 +138,7 @@ class SecondOrderStep {
       const bool is_member = (subset >> i & 1U) != 0;
       if (!is_member && pieces_[i].height + pieces_[i].gradient.dot(step_) > height + slack) return false;
     }
+    if (members.size > 1) Correct(members);
     return true;
   }
 
@@ -170,23 +180,25 @@ class SecondOrderStep {
   /// As many pieces as planes that meet in a point.
   bool IntersectPlanes(const Matrix& hessian, Members& members) {
     const Piece& last = *members.pieces[L - 1];
-    Matrix edges;
     Across rises;
-    for (int i = 0; i < L - 1; ++i) {
-      const Piece& piece = *members.pieces[static_cast<std::size_t>(i)];
-      edges.col(i) = piece.gradient - last.gradient;
-      rises[i] = last.height - piece.height;
-    }
+    for (int i = 0; i < L - 1; ++i) rises[i] = last.height - members.pieces[static_cast<std::size_t>(i)]->height;
     Matrix inverse;
-    if (!(std::abs(edges.determinant()) > (L == 3 ? Alike() * Alike() : Alike())) || !Invert(edges, inverse)) {
-      return false;
-    }
+    if (!InvertEdges(members, inverse)) return false;
     step_ = inverse.transpose() * rises;
     if (!(step_.cwiseAbs().maxCoeff() < kFarthest)) return false;
     const Across multipliers = inverse * -(hessian * step_ + last.gradient);
     for (int i = 0; i < L - 1; ++i) members.multipliers[static_cast<std::size_t>(i)] = multipliers[i];
     members.multipliers[L - 1] = 1 - multipliers.sum();
     return true;
+  }
+
+  /// @param inverse  Out: of the matrix whose columns are the gradients less the last one's.
+  bool InvertEdges(const Members& members, Matrix& inverse) const {
+    Matrix edges;
+    for (int i = 0; i < L - 1; ++i) {
+      edges.col(i) = members.pieces[static_cast<std::size_t>(i)]->gradient - members.pieces[L - 1]->gradient;
+    }
+    return std::abs(edges.determinant()) > (L == 3 ? Alike() * Alike() : Alike()) && Invert(edges, inverse);
   }
 
   /// Two pieces in space: to where their planes meet, and along that line to the lowest point.
@@ -204,6 +216,28 @@ class SecondOrderStep {
     members.multipliers[0] = -edge.dot(hessian * step_ + second.gradient) / length_sq;
     members.multipliers[1] = 1 - members.multipliers[0];
     return true;
+  }
+
+  /// Moves the step, across the curve where the pieces are equally high, by what their second derivatives have taken it
+  /// off that. Not by more than half of its length: there they tell little.
+  [[gnu::noinline]] void Correct(const Members& members) {
+    constexpr S kMost = S(0.5);
+    const auto is_plane = [](const Piece* piece) { return piece->is_plane; };
+    if (std::any_of(members.pieces.begin(), members.pieces.begin() + members.size, is_plane)) return;
+    const auto bend = [&](std::size_t i) -> S { return step_.dot(members.pieces[i]->derivative * step_) / 2; };
+    Across correction = Across::Zero();
+    if (members.size == L) {
+      Across rises;
+      for (int i = 0; i < L - 1; ++i) rises[i] = bend(L - 1) - bend(static_cast<std::size_t>(i));
+      Matrix inverse;
+      if (!InvertEdges(members, inverse)) return;
+      correction = inverse.transpose() * rises;
+    } else {
+      const Across edge = members.pieces[0]->gradient - members.pieces[1]->gradient;
+      correction = (bend(1) - bend(0)) / edge.squaredNorm() * edge;
+    }
+    // No squares: gradients that are nearly alike make it long.
+    if (correction.cwiseAbs().maxCoeff() < kMost * step_.cwiseAbs().maxCoeff()) step_ += correction;
   }
 
   /// Gradients that differ by less are those of pieces that are alike but for rounding; metres.

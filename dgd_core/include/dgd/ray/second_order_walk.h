@@ -52,8 +52,8 @@ class SecondOrderWalk {
   /// @param observer    Called with an Iterate after each iteration.
   /// @return how the query ended; nothing if that is RayIntersection's to find out, best from Normal() on.
   template <class Observer>
-  [[gnu::flatten]] std::optional<Status> Solve(Question question, const Point& start, const WarmStart<S, L>* warm_start,
-                                               Observer& observer) {
+  [[gnu::noinline, gnu::flatten]] std::optional<Status> Solve(Question question, const Point& start,
+                                                              const WarmStart<S, L>* warm_start, Observer& observer) {
     if (warm_start != nullptr) RecallPieces(*warm_start);
     // In these coordinates steeper ones are far from all others.
     Point direction = start[L - 1] > kSteep<S> ? Point(start / start[L - 1]) : Point(Point::Unit(L - 1));
@@ -235,7 +235,7 @@ class SecondOrderWalk {
   /// Whether the pieces are such that the last two steps have hardly helped. With it, the slowest of 4000 queries of
   /// two cones take 8 us, without it 11; of sets of one piece each they would take longer.
   bool IsStuck() const {
-    constexpr int kPatience = 6;
+    constexpr int kPatience = 5;
     constexpr S kHelp = S(0.5);
     return has_met_pieces_ && iterations_ >= kPatience && outer_ - inner_ > kHelp * gap_before_last_;
   }
@@ -251,7 +251,7 @@ class SecondOrderWalk {
     for (int i = 0; i < size_; ++i) {
       const Piece& piece = pieces_[static_cast<std::size_t>(i)];
       if (!piece.at.derivative.allFinite()) return false;
-      model.Add(piece.at.support.point, piece.at.derivative, piece.height);
+      model.Add(piece.at.support.point, piece.at.derivative, piece.height, piece.is_fixed);
       guess |= unsigned{piece.is_active} << i;
     }
     if (!model.Solve(guess)) return false;
