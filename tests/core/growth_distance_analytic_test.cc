@@ -15,6 +15,7 @@
 
 #include "support/checks.h"
 #include "support/random_sets.h"
+#include "support/scalars.h"
 
 namespace dgd_test {
 namespace {
@@ -122,7 +123,6 @@ class GrowthDistanceAnalytic : public ::testing::Test {
   }
 };
 
-using Scalars = ::testing::Types<double, float>;
 TYPED_TEST_SUITE(GrowthDistanceAnalytic, Scalars);
 
 TYPED_TEST(GrowthDistanceAnalytic, FacingFeatures_AddTheirReaches) {

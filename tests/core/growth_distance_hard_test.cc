@@ -8,6 +8,7 @@
 #include "support/checks.h"
 #include "support/lp_oracle.h"
 #include "support/random_sets.h"
+#include "support/scalars.h"
 
 namespace dgd_test {
 namespace {
@@ -61,7 +62,6 @@ class GrowthDistanceHard : public ::testing::Test {
   }
 };
 
-using Scalars = ::testing::Types<double, float>;
 TYPED_TEST_SUITE(GrowthDistanceHard, Scalars);
 
 // Face centres, edges and corners aligned; the ray through the middles of faces and edges, and through vertices.

@@ -4,6 +4,7 @@
 #include "dgd/shapes/transformed.h"
 #include "support/checks.h"
 #include "support/random_sets.h"
+#include "support/scalars.h"
 
 namespace dgd_test {
 namespace {
@@ -47,7 +48,6 @@ class GrowthDistanceStatus : public ::testing::Test {
   }
 };
 
-using Scalars = ::testing::Types<double, float>;
 TYPED_TEST_SUITE(GrowthDistanceStatus, Scalars);
 
 TYPED_TEST(GrowthDistanceStatus, Separated_ByMoreThanTheLimit) {

@@ -11,6 +11,7 @@
 #include "dgd/certificate.h"
 #include "dgd/growth_distance.h"
 #include "dgd/shapes.h"
+#include "support/scalars.h"
 
 namespace dgd_test {
 namespace {
@@ -89,7 +90,6 @@ class PlaneAnalytic : public ::testing::Test {
   }
 };
 
-using Scalars = ::testing::Types<double, float>;
 TYPED_TEST_SUITE(PlaneAnalytic, Scalars);
 
 TYPED_TEST(PlaneAnalytic, Circles_AddTheirRadii) {

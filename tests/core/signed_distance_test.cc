@@ -10,6 +10,7 @@
 #include "dgd/growth_distance.h"
 #include "dgd/shapes.h"
 #include "dgd/signed_distance_certificate.h"
+#include "support/scalars.h"
 
 namespace dgd_test {
 namespace {
@@ -58,7 +59,6 @@ class SignedDistanceTest : public ::testing::Test {
   static constexpr S kExact = 16 * dgd::kEpsilon<S>;
 };
 
-using Scalars = ::testing::Types<double, float>;
 TYPED_TEST_SUITE(SignedDistanceTest, Scalars);
 
 TYPED_TEST(SignedDistanceTest, UnitBoxesOverlappingByATenth_AreATenthDeepAlongTheirAxis) {

@@ -6,13 +6,13 @@
 #include <limits>
 
 #include "support/random.h"
+#include "support/scalars.h"
 
 namespace dgd_test {
 namespace {
 
 template <class S>
 class CubeMap : public testing::Test {};
-using Scalars = testing::Types<double, float>;
 TYPED_TEST_SUITE(CubeMap, Scalars);
 
 TYPED_TEST(CubeMap, MiddleOf_IsInItsCell) {
