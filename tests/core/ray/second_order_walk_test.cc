@@ -89,7 +89,7 @@ TEST(SecondOrderWalk, OnePiece_IsAlwaysAnsweredByIt) {
 TEST(SecondOrderWalk, PiecesOfOneSet_AreMostlyAnsweredByIt) {
   for (const Shares& shares : {CheckWalk(RandomEllipsoid, RandomBox), CheckWalk(RandomEllipsoid, RandomCylinder),
                                CheckWalk(RandomCone, RandomEllipsoid), CheckWalk(RandomEllipsoid, RandomCapsule)}) {
-    EXPECT_GT(shares.answered, 0.9);
+    EXPECT_GT(shares.answered, 0.93);
     EXPECT_LT(shares.iterations, 6);
   }
 }
@@ -123,18 +123,18 @@ TEST(SecondOrderWalk, StackedCylinders_MeetInTheirCaps) {
   }
 }
 
-/// A query that the first walk leaves to others, if this one is such.
-struct LeftPair {
+/// Of which the walk leaves many.
+struct ConePair {
   dgd::RoundedSet<dgd::Cone<double>> set_1, set_2;
   Pose pose_1, pose_2;
 
-  explicit LeftPair(Random& random)
+  explicit ConePair(Random& random)
       : set_1(RandomCone(random)),
         set_2(RandomCone(random)),
         pose_1{random.Rotation(), random.InCube()},
         pose_2{random.Rotation(), pose_1.translation + random.Uniform(0.2, 5) * random.UnitVector()} {}
 
-  bool IsLeft() const {
+  bool IsLeftByWalk() const {
     using Set = dgd::RoundedSet<dgd::Cone<double>>;
     const dgd::Settings<double> settings;
     const dgd::MinkowskiDifference<Set, Set> difference(set_1, pose_1, set_2, pose_2);
@@ -144,14 +144,14 @@ struct LeftPair {
   }
 };
 
-// The walk itself has taken six iterations.
+// 16.4 iterations by measurement, six of them the first walk's; without a second one 20.9.
 TEST(SecondOrderWalk, WhatItLeaves_IsWalkedAgainFromNearby) {
   Random random(TestSeed());
   int left = 0, longest = 0;
   double iterations = 0;
   for (int i = 0; i < TestCount(4000, 400); ++i) {
-    const LeftPair pair(random);
-    if (!pair.IsLeft()) continue;
+    const ConePair pair(random);
+    if (!pair.IsLeftByWalk()) continue;
     ++left;
     const auto result = dgd::GrowthDistance(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2);
     ASSERT_EQ(result.status, dgd::Status::kOptimal);
@@ -177,8 +177,8 @@ TEST(SecondOrderWalk, WhatItLeaves_IsWalkedAgainFromNearby) {
 TEST(SecondOrderWalk, WhatItLeaves_IsOneQueryToObserversAndLimits) {
   Random random(TestSeed());
   for (int left = 0; left < TestCount(40, 5);) {
-    const LeftPair pair(random);
-    if (!pair.IsLeft()) continue;
+    const ConePair pair(random);
+    if (!pair.IsLeftByWalk()) continue;
     ++left;
     int iteration = 0;
     double lower = 0, upper = std::numeric_limits<double>::infinity();

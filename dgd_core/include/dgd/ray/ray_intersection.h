@@ -39,7 +39,8 @@ class RayIntersection {
     return status;
   }
 
-  /// After Solve() to a coarser tolerance: from where that ended.
+  /// From where Solve() has ended at a coarser tolerance: a query in two parts. The iterations are counted on.
+  /// @param warm_start  Out: as after Solve().
   template <class Observer>
   Status GoOn(Question question, WarmStart<S, L>& warm_start, Observer& observer) {
     const Status status = Improve(question, Inner().Normal(), &warm_start, observer);
@@ -88,6 +89,7 @@ class RayIntersection {
     return Status::kCoincidentCenters;
   }
 
+  /// Not inlined: Solve() and GoOn() share it, which is long.
   /// @param normal  The first one to search.
   template <class Observer>
   [[gnu::noinline, gnu::flatten]] Status Improve(Question question, Point normal, const WarmStart<S, L>* warm_start,
@@ -214,15 +216,18 @@ class RayIntersection {
     }
   }
 
+  /// @param last  Or null: no query before.
+  /// @return the first direction to search.
+  Point FirstDirection(const WarmStart<S, L>* last) {
+    return last != nullptr ? AdoptLastState(*last) : FirstNormal(difference_, settings_, last);
+  }
+
   /// Polytopes: primal warm start (Sec. III-D3). The last basis, moved with the sets, goes into the inner
   /// approximation; all at once if it still carries the ray, else point by point. Curved cores, and sets that were
   /// apart: dual warm start, the last normal begins the outer approximation. By measurement (tests/bench/iterations,
   /// after a motion of 1 %), hulls take 1.1 directions from the basis and 4.5 from the normal, which then is no facet's
   /// any more; of curved cores, the points have moved along their pieces.
   /// @return the first direction to search.
-  Point FirstDirection(const WarmStart<S, L>* last) {
-    return last != nullptr ? AdoptLastState(*last) : FirstNormal(difference_, settings_, last);
-  }
   Point AdoptLastState(const WarmStart<S, L>& warm_start) {
     hint_1_ = warm_start.features_1[0];
     hint_2_ = warm_start.features_2[0];

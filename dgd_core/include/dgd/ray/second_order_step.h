@@ -219,7 +219,8 @@ class SecondOrderStep {
   }
 
   /// Moves the step, across the curve where the pieces are equally high, by what their second derivatives have taken it
-  /// off that. Not by more than half of its length: there they tell little.
+  /// off that. Not by more than half of its length: there they tell little. Nor where a piece stands for a plane, which
+  /// does not say how its feature bends. Not inlined: every pair of types would have its own.
   [[gnu::noinline]] void Correct(const Members& members) {
     constexpr S kMost = S(0.5);
     const auto is_plane = [](const Piece* piece) { return piece->is_plane; };

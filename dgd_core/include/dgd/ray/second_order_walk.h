@@ -47,6 +47,7 @@ class SecondOrderWalk {
         inner_(difference.Inradius()),
         inner_on_1_(difference.Inradius1() * Point::Unit(L - 1)) {}
 
+  /// Not inlined: a query may walk twice (query.h), and it is long.
   /// @param start       The first normal: ray frame, upwards.
   /// @param warm_start  Names pieces to begin with.
   /// @param observer    Called with an Iterate after each iteration.
