@@ -206,6 +206,36 @@ TEST(SecondOrderWalk, WhatItLeaves_IsOneQueryToObserversAndLimits) {
   }
 }
 
+/// A part of a query, as far as its bounds go.
+struct Bounds {
+  double lower_bound, upper_bound;
+  Vector3d normal;
+
+  double LowerBound() const { return lower_bound; }
+  double UpperBound() const { return upper_bound; }
+  Vector3d Normal() const { return normal; }
+};
+
+// The soak found, in float, the best lower bound dropped for a worse one, as rounding had it above the last upper one.
+TEST(SecondOrderWalk, BoundsThatRoundingReverses_MeetInTheUpperOne) {
+  const Bounds best_lower{1 + 1e-12, 2, Vector3d::UnitX()}, worse{0.5, 3, Vector3d::UnitY()};
+  Bounds last{0.9, 1, Vector3d::UnitZ()};
+  dgd::KeepBetterBounds(worse, last);
+  EXPECT_EQ(last.lower_bound, 0.9);
+  EXPECT_EQ(last.normal, Vector3d::UnitZ());
+  dgd::KeepBetterBounds(best_lower, last);
+  EXPECT_EQ(last.lower_bound, 1);
+  EXPECT_EQ(last.upper_bound, 1);
+  EXPECT_EQ(last.normal, Vector3d::UnitX());
+
+  const Bounds best_upper{0.5, 1, Vector3d::UnitX()};
+  Bounds high{1 + 1e-12, 2, Vector3d::UnitZ()};
+  dgd::KeepBetterBounds(best_upper, high);
+  EXPECT_EQ(high.lower_bound, 1);
+  EXPECT_EQ(high.upper_bound, 1);
+  EXPECT_EQ(high.normal, Vector3d::UnitZ());
+}
+
 // A kink of two or three pieces is known from the last query: two directions find that it is where it was.
 TEST(SecondOrderWalk, LastPieces_AreTheFirstOnes) {
   Random random(TestSeed());

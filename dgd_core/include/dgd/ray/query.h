@@ -136,16 +136,13 @@ void Report(const Difference& difference, const Query& query, Status status, Col
 /// @return for each bound whether it is the walk's now, the lower one first.
 template <class Walk, class Bounds>
 std::pair<bool, bool> KeepBetterBounds(const Walk& walk, Bounds& bounds) {
-  const bool has_lower = walk.LowerBound() > bounds.lower_bound && walk.LowerBound() <= bounds.upper_bound;
+  const bool has_lower = walk.LowerBound() > bounds.lower_bound, has_upper = walk.UpperBound() < bounds.upper_bound;
   if (has_lower) {
     bounds.lower_bound = walk.LowerBound();
     bounds.normal = walk.Normal();
   }
-  const bool has_upper = walk.UpperBound() < bounds.upper_bound;
-  if (has_upper) {
-    bounds.upper_bound = walk.UpperBound();
-    bounds.lower_bound = std::min(bounds.lower_bound, bounds.upper_bound);
-  }
+  if (has_upper) bounds.upper_bound = walk.UpperBound();
+  bounds.lower_bound = std::min(bounds.lower_bound, bounds.upper_bound);
   return {has_lower, has_upper};
 }
 template <class Walk, class S, int L>
