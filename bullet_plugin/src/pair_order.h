@@ -7,8 +7,9 @@
 
 namespace dgd_bullet {
 
-/// Whether `a` comes before `b`: by their shapes' types, else along a direction of the world that no scene is built
-/// along, so that bodies that lie still keep their order. Addresses would change from run to run.
+/// Whether `a` comes before `b`: by their shapes' types, in the one order that each pair of them is compiled in
+/// (posed_shape.h), else along a direction of the world that no scene is built along, so that bodies that lie still
+/// keep their order. Addresses would change from run to run.
 inline bool ComesBefore(const btCollisionObjectWrapper& a, const btCollisionObjectWrapper& b) {
   const int type_a = a.getCollisionShape()->getShapeType(), type_b = b.getCollisionShape()->getShapeType();
   if (type_a != type_b) return type_a < type_b;

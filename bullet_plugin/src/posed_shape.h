@@ -16,16 +16,23 @@
 
 namespace dgd_bullet {
 
-using ShapeSet = std::variant<dgd::RoundedSet<dgd::Point<double>>, dgd::RoundedSet<dgd::Segment<double>>,
-                              dgd::RoundedSet<dgd::Triangle<double>>, dgd::RoundedSet<dgd::Box<double>>,
-                              dgd::RoundedSet<dgd::Cylinder<double>>, dgd::RoundedSet<dgd::Cone<double>>,
-                              dgd::RoundedSet<dgd::CoreReference<dgd::Polytope<double>>>, dgd::RoundedSet<SupportCore>>;
+/// In the order of Bullet's types, of which ComesBefore() takes the lower one first.
+using ShapeSet =
+    std::variant<dgd::RoundedSet<dgd::Box<double>>, dgd::RoundedSet<dgd::Triangle<double>>,
+                 dgd::RoundedSet<dgd::CoreReference<dgd::Polytope<double>>>, dgd::RoundedSet<dgd::Point<double>>,
+                 dgd::RoundedSet<dgd::Segment<double>>, dgd::RoundedSet<dgd::Cone<double>>,
+                 dgd::RoundedSet<dgd::Cylinder<double>>, dgd::RoundedSet<SupportCore>>;
 
 /// A shape in a pose, for one query.
 struct PosedShape {
   ShapeSet set;
   Pose pose;  ///< Of the set's own frame (z is the axis of round shapes) in the world.
 };
+
+/// Whether the solver is compiled for the two as they are: of a pair of types, one order is enough (pair_visit.h).
+inline bool IsInOrder(const PosedShape& shape_a, const PosedShape& shape_b) {
+  return shape_a.set.index() <= shape_b.set.index();
+}
 
 /// Moves the shapes' centres near to each other, where their cores allow it (dgd::CenteredCore).
 void MoveCentersTogether(PosedShape& shape_a, PosedShape& shape_b);

@@ -3,6 +3,7 @@
 #include <BulletCollision/CollisionShapes/btConvexShape.h>
 
 #include <exception>
+#include <utility>
 
 #include "bullet_conversions.h"
 #include "pair_sweep.h"
@@ -35,7 +36,12 @@ dgd::TimeOfImpactResult<double> SweepShapes(const MovingShape& a, const MovingSh
   PosedShape shape_a = AdaptShape(a.shape, a.from, geometry, cache, a.hull);
   PosedShape shape_b = AdaptShape(b.shape, b.from, geometry, cache, b.hull);
   MoveCentersTogether(shape_a, shape_b);
-  return SweepPair(shape_a, WayOf(a, shape_a), shape_b, WayOf(b, shape_b), {});
+  const Motion way_a = WayOf(a, shape_a), way_b = WayOf(b, shape_b);
+  if (IsInOrder(shape_a, shape_b)) return SweepPair(shape_a, way_a, shape_b, way_b, {});
+  dgd::TimeOfImpactResult<double> result = SweepPair(shape_b, way_b, shape_a, way_a, {});
+  result.normal = -result.normal;
+  std::swap(result.witness_1, result.witness_2);
+  return result;
 } catch (const std::exception&) {
   return {};  // A shape that is not one: NaN or infinite sizes, no points.
 }
