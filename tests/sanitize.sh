@@ -2,6 +2,8 @@
 # The tests with sanitizers, by clang or whatever CXX says.
 #
 #   sh tests/sanitize.sh asan [CTEST ARGUMENTS]   the whole suite: address and undefined behaviour; an hour
+#   sh tests/sanitize.sh quick [CTEST ARGUMENTS]  of it the plugin's tests in float and the fuzzers' corpus, with shared
+#                                                 libraries; minutes
 #   sh tests/sanitize.sh tsan [CTEST ARGUMENTS]   the tests with threads, and a heap of 1000 bodies on two of them
 #
 # Exit status: 0; 1 a test failed or cannot be built; 2 wrong arguments.
@@ -14,11 +16,22 @@ case ${1-} in
     preset=asan-ubsan
     targets=
     tests=.
+    options=-DBUILD_SHARED_LIBS=OFF
+    ;;
+  quick)
+    # The solver is in the plugin, and in its fuzzer for all types and both scalars.
+    preset=asan-ubsan
+    targets='test_plugin_float test_plugin_float_memory fuzz_hull fuzz_plugin_world fuzz_record_file fuzz_solver'
+    tests='test_plugin_float(_memory)?\.|fuzz_(hull|plugin_world|record_file|solver)'
+    options='-DBUILD_SHARED_LIBS=ON'
+    # One of two ways to register.
+    export GTEST_FILTER="${GTEST_FILTER:--AllTypes/*_Register}"
     ;;
   tsan)
     preset=tsan
     targets='test_plugin_float test_soak thread_scaling'
-    tests='test_plugin_float$|test_soak|thread_scaling'
+    tests='test_plugin_float\.|test_soak|thread_scaling'
+    options=
     # Of the plugin's tests, those with threads.
     export GTEST_FILTER="${GTEST_FILTER:-Threads*:DgdSoak*}"
     ;;
@@ -36,7 +49,8 @@ if [ ! -e "$build_dir/CMakeCache.txt" ]; then
   export CXX="${CXX:-clang++-14}" CC="${CC:-clang-14}"
   ! command -v ninja >/dev/null || export CMAKE_GENERATOR="${CMAKE_GENERATOR:-Ninja}"
 fi
-cmake -S "$root" --preset "$preset" -DDGD_BUILD_TESTS=ON >/dev/null
+# shellcheck disable=SC2086 # lists of words
+cmake -S "$root" --preset "$preset" -DDGD_BUILD_TESTS=ON $options ${CI:+-DDGD_WERROR=ON -DDGD_QUICK_BUILD=ON} >/dev/null
 # shellcheck disable=SC2086 # a list of words
 build $targets
 exec ctest --test-dir "$build_dir" --output-on-failure --no-tests=error --parallel "$(nproc)" --tests-regex "$tests" "$@"
