@@ -23,7 +23,7 @@ case ${1-} in
     preset=asan-ubsan
     targets='test_plugin_float test_plugin_float_memory fuzz_hull fuzz_plugin_world fuzz_record_file fuzz_solver'
     tests='test_plugin_float(_memory)?\.|fuzz_(hull|plugin_world|record_file|solver)'
-    options='-DBUILD_SHARED_LIBS=ON'
+    options=-DBUILD_SHARED_LIBS=ON
     # One of two ways to register.
     export GTEST_FILTER="${GTEST_FILTER:--AllTypes/*_Register}"
     ;;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -31,24 +32,24 @@ inline ErasedSet Erase(const ShapeSet& shape) {
 }
 
 template <class Set, class... Sets>
-constexpr std::size_t IndexAmong(std::type_identity<std::variant<Sets...>>) {
-  std::size_t index = 0;
-  static_cast<void>(((!std::is_same_v<Set, Sets> && ++index > 0) && ...));
-  return index;
+constexpr std::ptrdiff_t IndexAmong(std::type_identity<std::variant<Sets...>>) {
+  const std::array is_set{std::is_same_v<Set, Sets>...};
+  return std::find(is_set.begin(), is_set.end(), true) - is_set.begin();
 }
-/// Of an alternative of ShapeSet.
-template <class Set>
-constexpr std::size_t kIndex = IndexAmong<Set>(std::type_identity<ShapeSet>());
+/// As IsInOrder() says of two shapes with these sets.
+template <class SetA, class SetB>
+constexpr bool kIsInOrder =
+    IndexAmong<SetA>(std::type_identity<ShapeSet>()) <= IndexAmong<SetB>(std::type_identity<ShapeSet>());
 
 /// Calls ask(set_a, set_b, settings). A shape that only Bullet can evaluate, and what meets it, go through a function
-/// pointer, and the tolerance is raised to what its rounding allows. So do two in the order that callers avoid, since
-/// they would be compiled a second time.
+/// pointer, and the tolerance is raised to what its rounding allows. So do two that are not in order, which would be
+/// compiled a second time for what callers avoid.
 template <class Ask>
 decltype(auto) VisitPair(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Settings<double>& settings,
                          Ask&& ask) {
   return std::visit(
       [&]<class SetA, class SetB>(const SetA& set_a, const SetB& set_b) {
-        if constexpr (kIsErased<SetA> || kIsErased<SetB> || kIndex < SetA >> kIndex<SetB>) {
+        if constexpr (kIsErased<SetA> || kIsErased<SetB> || !kIsInOrder<SetA, SetB>) {
           const ErasedSet erased_a = Erase(set_a), erased_b = Erase(set_b);
           dgd::Settings<double> raised = settings;
           raised.relative_tolerance =

@@ -103,7 +103,7 @@ TEST(Mesh, Support_IsHighestOnManyVerticesAndNearDuplicates) {
 // coordinates far from the origin.
 TEST(Mesh, Support_IsHighestOverShortEdges) {
   Random random(TestSeed());
-  for (const double distance : {1e-13, 1e-11, 1e-9, 1e-7}) {
+  for (const double distance : {1e-13, 1e-11, 1e-9, 1e-7, 1e-5, 1e-4, 1e-3, 1e-2}) {
     SCOPED_TRACE(distance);
     Points points;
     for (int i = 0; i < 100; ++i) {
