@@ -2,6 +2,7 @@
 // answer as well, but several times as slowly.
 #include "pair_order.h"
 
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <gtest/gtest.h>
 
 #include <memory>
