@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "asked_by_app.h"
+#include "contact_distance.h"
 #include "contact_drawer.h"
 #include "dgd_bullet/recorder.h"
 #include "friction_anchors.h"
@@ -200,7 +201,7 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObj
     query.motion = {BodyReach(object_a), BodyReach(object_b), double(info.m_timeStep)};
   }
   query.breaking_threshold = double(manifold_->getContactBreakingThreshold());
-  query.contact_distance = ContactDistance(output);
+  query.contact_distance = ContactDistance(options, output);
   query.is_asked = IsAskedByApp(output);
   query.wants_least = options.normal_mode == NormalMode::kLeastTranslation;
   query.settings.relative_tolerance =
@@ -320,7 +321,8 @@ bool ConvexConvexAlgorithm::StaysApart(const btCollisionObjectWrapper& body_0, c
   const btVector3 normal = a.getWorldTransform().getBasis() * InBulletAxes(warm_start_.normal_1, UpAxis(ShapeOf(&a)));
   const double separation = SeparationAlong({a, reach_a}, {b, reach_b}, normal);
   // What memory is slow to bring comes last.
-  if (!(separation > ContactDistance(output) && separation < std::numeric_limits<double>::infinity())) return false;
+  if (!(separation > ContactDistance(options, output) && separation < std::numeric_limits<double>::infinity()))
+    return false;
   const PairMotion motion =
       MeetsEarly(reach_a.object, reach_b.object) ? PairMotion(reach_a, reach_b, double(info.m_timeStep)) : PairMotion();
   if (!(separation > motion.MaxApproach(FromBullet(normal)))) return false;
@@ -332,12 +334,6 @@ bool ConvexConvexAlgorithm::StaysApart(const btCollisionObjectWrapper& body_0, c
   return true;
 } catch (const std::exception&) {
   return false;  // A user's shape that throws: FindContacts() says what comes of it.
-}
-
-double ConvexConvexAlgorithm::ContactDistance(const btManifoldResult& output) const {
-  const double of_options = narrowphase_.options().contact_distance;
-  return (of_options > 0 ? of_options : double(manifold_->getContactBreakingThreshold())) +
-         double(output.m_closestPointDistanceThreshold);
 }
 
 void ConvexConvexAlgorithm::RememberRest(const btCollisionObjectWrapper& body_a,

@@ -77,9 +77,6 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   bool StaysApart(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
                   const btDispatcherInfo& info, const btManifoldResult& output);
 
-  /// Not farther apart than this, bodies have contacts; metres.
-  double ContactDistance(const btManifoldResult& output) const;
-
   /// With whose face the contacts' normal turns, if any.
   dgd::FaceHolder FaceUnderContacts() const;
 

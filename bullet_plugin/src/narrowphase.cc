@@ -11,8 +11,10 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "convex_convex_algorithm.h"
+#include "convex_mesh_algorithm.h"
 #include "finite_result.h"
 
 namespace dgd_bullet {
@@ -42,6 +44,31 @@ bool Narrowphase::Handles(int type_0, int type_1) {
     return btBroadphaseProxy::isConvex(type) && !btBroadphaseProxy::isConvex2d(type);
   };
   return handles(type_0) && handles(type_1);
+}
+
+bool Narrowphase::HandlesMesh(int convex_type, int mesh_type) {
+  switch (mesh_type) {
+    case TRIANGLE_MESH_SHAPE_PROXYTYPE:
+    case SCALED_TRIANGLE_MESH_SHAPE_PROXYTYPE:
+    case MULTIMATERIAL_TRIANGLE_MESH_PROXYTYPE:
+    case TERRAIN_SHAPE_PROXYTYPE:
+      return Handles(convex_type, TRIANGLE_SHAPE_PROXYTYPE);
+    default:
+      return false;
+  }
+}
+
+btCollisionAlgorithmCreateFunc* Narrowphase::ContactCreateFunc(int type_0, int type_1) {
+  if (Handles(type_0, type_1)) return &contact_create_func_;
+  // Bullet keeps nothing of a triangle from step to step.
+  if (!options_.warm_start) return nullptr;
+  if (HandlesMesh(type_0, type_1)) return &mesh_create_func_;
+  if (HandlesMesh(type_1, type_0)) return &swapped_mesh_create_func_;
+  return nullptr;
+}
+
+btCollisionAlgorithmCreateFunc* Narrowphase::ClosestPointsCreateFunc(int type_0, int type_1) {
+  return Handles(type_0, type_1) ? &closest_points_create_func_ : nullptr;
 }
 
 Statistics Narrowphase::statistics() const {
@@ -74,16 +101,32 @@ void Narrowphase::FallBack(btDispatcher& dispatcher, const btCollisionObjectWrap
   algorithm.processCollision(body_0, body_1, info, &finite);
 }
 
+namespace {
+
+/// Makes an algorithm in a dispatcher's memory, of which Bullet gives back what it is left with.
+/// @return null without memory: Bullet leaves out the pair then, and asks anew in the next step.
+template <class Algorithm, class... Arguments>
+Algorithm* Make(const btCollisionAlgorithmConstructionInfo& info, Arguments&&... arguments) {
+  void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(Algorithm));
+  return memory == nullptr ? nullptr : new (memory) Algorithm(info, std::forward<Arguments>(arguments)...);
+}
+
+}  // namespace
+
 btCollisionAlgorithm* Narrowphase::PairCreateFunc::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
                                                                             const btCollisionObjectWrapper* body_0,
                                                                             const btCollisionObjectWrapper* body_1) {
-  void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(ConvexConvexAlgorithm));
-  if (memory == nullptr) {
-    // Bullet leaves out the pair, and asks anew in the next step.
+  auto* algorithm = Make<ConvexConvexAlgorithm>(info, narrowphase, speculative);
+  if (algorithm == nullptr) {
     narrowphase.CountFallback(*body_0->getCollisionShape(), *body_1->getCollisionShape(), Fallback::kNoMemory);
-    return nullptr;
   }
-  return new (memory) ConvexConvexAlgorithm(info, narrowphase, speculative);
+  return algorithm;
+}
+
+btCollisionAlgorithm* Narrowphase::MeshCreateFunc::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
+                                                                            const btCollisionObjectWrapper* body_0,
+                                                                            const btCollisionObjectWrapper* body_1) {
+  return Make<ConvexMeshAlgorithm>(info, narrowphase, body_0, body_1, is_swapped);
 }
 
 }  // namespace dgd_bullet

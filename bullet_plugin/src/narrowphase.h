@@ -31,9 +31,14 @@ class Narrowphase {
   /// Bullet's GJK treats apart.
   static bool Handles(int type_0, int type_1);
 
-  /// Make the algorithm of a pair in either order, for the two tables of a dispatcher.
-  btCollisionAlgorithmCreateFunc* ContactCreateFunc() { return &contact_create_func_; }
-  btCollisionAlgorithmCreateFunc* ClosestPointsCreateFunc() { return &closest_points_create_func_; }
+  /// Whether it takes the triangles of such a mesh, or of a heightfield, against such a convex shape. Other concave
+  /// types are no meshes, or have algorithms of their own.
+  static bool HandlesMesh(int convex_type, int mesh_type);
+
+  /// Make the algorithm of a pair of shape types, for the two tables of a dispatcher; null where that is left to
+  /// Bullet.
+  btCollisionAlgorithmCreateFunc* ContactCreateFunc(int type_0, int type_1);
+  btCollisionAlgorithmCreateFunc* ClosestPointsCreateFunc(int type_0, int type_1);
 
   const Options& options() const { return options_; }
   HullCache& hulls() { return hulls_; }
@@ -58,10 +63,19 @@ class Narrowphase {
     Narrowphase& narrowphase;
     const bool speculative;
   };
+  struct MeshCreateFunc : btCollisionAlgorithmCreateFunc {
+    MeshCreateFunc(const Narrowphase& shared, bool is_mesh_first) : narrowphase(shared), is_swapped(is_mesh_first) {}
+    btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
+                                                   const btCollisionObjectWrapper* body_0,
+                                                   const btCollisionObjectWrapper* body_1) override;
+    const Narrowphase& narrowphase;
+    const bool is_swapped;
+  };
 
   const Options options_;
   PairCreateFunc contact_create_func_{*this, options_.contact_patch&& options_.speculative_contacts};
   PairCreateFunc closest_points_create_func_{*this, false};
+  MeshCreateFunc mesh_create_func_{*this, false}, swapped_mesh_create_func_{*this, true};
   HullCache hulls_;
   btGjkEpaPenetrationDepthSolver penetration_solver_;
   std::unique_ptr<PairCounters> pair_counters_;

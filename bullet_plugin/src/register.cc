@@ -13,11 +13,11 @@ namespace dgd_bullet {
 std::shared_ptr<Narrowphase> MakeNarrowphase(const Options& options) { return std::make_shared<Narrowphase>(options); }
 
 btCollisionAlgorithmCreateFunc* ContactCreateFunc(Narrowphase& narrowphase, int type_0, int type_1) {
-  return Narrowphase::Handles(type_0, type_1) ? narrowphase.ContactCreateFunc() : nullptr;
+  return narrowphase.ContactCreateFunc(type_0, type_1);
 }
 
 btCollisionAlgorithmCreateFunc* ClosestPointsCreateFunc(Narrowphase& narrowphase, int type_0, int type_1) {
-  return Narrowphase::Handles(type_0, type_1) ? narrowphase.ClosestPointsCreateFunc() : nullptr;
+  return narrowphase.ClosestPointsCreateFunc(type_0, type_1);
 }
 
 const Narrowphase& Register(btCollisionDispatcher* dispatcher, const Options& options) {
@@ -32,9 +32,12 @@ const Narrowphase& Register(btCollisionDispatcher* dispatcher, const Options& op
   }
   for (int type_0 = 0; type_0 < MAX_BROADPHASE_COLLISION_TYPES; ++type_0) {
     for (int type_1 = 0; type_1 < MAX_BROADPHASE_COLLISION_TYPES; ++type_1) {
-      if (!Narrowphase::Handles(type_0, type_1)) continue;
-      dispatcher->registerCollisionCreateFunc(type_0, type_1, narrowphase->ContactCreateFunc());
-      dispatcher->registerClosestPointsCreateFunc(type_0, type_1, narrowphase->ClosestPointsCreateFunc());
+      if (auto* contact = narrowphase->ContactCreateFunc(type_0, type_1)) {
+        dispatcher->registerCollisionCreateFunc(type_0, type_1, contact);
+      }
+      if (auto* closest_points = narrowphase->ClosestPointsCreateFunc(type_0, type_1)) {
+        dispatcher->registerClosestPointsCreateFunc(type_0, type_1, closest_points);
+      }
     }
   }
   return *narrowphase;

@@ -2,11 +2,15 @@
 // that is not finite is written, and with memory again the contacts are those of a pair that never lacked any.
 //
 // Apart from the other tests, for operator new is the program's.
+#include <BulletCollision/CollisionShapes/btBvhTriangleMeshShape.h>
+#include <BulletCollision/CollisionShapes/btTriangleMesh.h>
+
 #include <cstdlib>
 #include <new>
 
 #include "plugin/fallback_fixture.h"
 #include "plugin/shape_zoo.h"
+#include "plugin/triangle_grid.h"
 
 namespace {
 
@@ -55,7 +59,7 @@ class MemoryForSome {
 /// Contacts go into the manifold, as in a world: what PairQuery collects them in may have no memory either.
 class BarePair {
  public:
-  BarePair(btCollisionDispatcher& dispatcher, btConvexShape& shape_a, btConvexShape& shape_b)
+  BarePair(btCollisionDispatcher& dispatcher, btCollisionShape& shape_a, btCollisionShape& shape_b)
       : dispatcher_(dispatcher) {
     a_.setCollisionShape(&shape_a);
     b_.setCollisionShape(&shape_b);
@@ -122,6 +126,33 @@ TEST(FailingAllocation, EachInTurn_NothingThrownAndMadeUpForLater) {
     }
   }
   EXPECT_GT(failures, 20) << "hulls need memory";
+}
+
+// Of a mesh, the triangles' algorithms are kept in memory of ours.
+TEST(FailingAllocation, OfAMesh_EachInTurn_MadeUpForLater) {
+  dgd_bullet::Options options = Counting();
+  options.on_first_fallback = nullptr;
+  btTriangleMesh triangles;
+  AddGrid(triangles, 6, 0.3, [](double x, double y) { return 0.5 + 0.1 * x * y; });
+  btBvhTriangleMeshShape mesh(&triangles, true);
+  btBoxShape box(Vec(0.5, 0.5, 0.5));
+  Dispatching undisturbed(Route::kConfiguration, options);
+  BarePair expected(undisturbed.dispatcher(), box, mesh);
+  for (int step = 0; step < 6; ++step) expected.Step();
+  ASSERT_GT(expected.Manifold().getNumContacts(), 0);
+  long n = 0;
+  for (bool is_over = true; is_over; ++n) {
+    Dispatching dispatching(Route::kConfiguration, options);
+    BarePair pair(dispatching.dispatcher(), box, mesh);
+    {
+      const MemoryForSome memory(n);
+      for (int step = 0; step < 3; ++step) pair.Step();
+      is_over = memory.IsOver();
+    }
+    for (int step = 0; step < 3; ++step) pair.Step();
+    ASSERT_EQ(pair.Manifold().getNumContacts(), expected.Manifold().getNumContacts()) << n;
+  }
+  EXPECT_GT(n, 3) << "what is kept of triangles needs memory";
 }
 
 }  // namespace

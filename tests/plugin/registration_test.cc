@@ -28,6 +28,16 @@ bool IsConvexSolid(int type) {
   return type < CONCAVE_SHAPES_START_HERE && type != BOX_2D_SHAPE_PROXYTYPE && type != CONVEX_2D_SHAPE_PROXYTYPE;
 }
 
+bool IsMesh(int type) {
+  return type == TRIANGLE_MESH_SHAPE_PROXYTYPE || type == SCALED_TRIANGLE_MESH_SHAPE_PROXYTYPE ||
+         type == MULTIMATERIAL_TRIANGLE_MESH_PROXYTYPE || type == TERRAIN_SHAPE_PROXYTYPE;
+}
+
+/// Whose triangles are pairs of convex shapes; only what is kept of them is ours, in the contact table.
+bool IsConvexOnMesh(int type_0, int type_1) {
+  return (IsConvexSolid(type_0) && IsMesh(type_1)) || (IsMesh(type_0) && IsConvexSolid(type_1));
+}
+
 template <class Check>
 void ForAllTypes(const Check& check) {
   for (int type_0 = 0; type_0 < MAX_BROADPHASE_COLLISION_TYPES; ++type_0) {
@@ -57,8 +67,9 @@ TEST(Registration, Configuration_LeavesTheOtherPairsToBullet) {
   dgd_bullet::CollisionConfiguration configuration;
   ForAllTypes([&](int type_0, int type_1) {
     if (IsConvexSolid(type_0) && IsConvexSolid(type_1)) return;
-    EXPECT_EQ(configuration.getCollisionAlgorithmCreateFunc(type_0, type_1),
-              configuration.btDefaultCollisionConfiguration::getCollisionAlgorithmCreateFunc(type_0, type_1));
+    EXPECT_EQ(configuration.getCollisionAlgorithmCreateFunc(type_0, type_1) ==
+                  configuration.btDefaultCollisionConfiguration::getCollisionAlgorithmCreateFunc(type_0, type_1),
+              !IsConvexOnMesh(type_0, type_1));
     EXPECT_EQ(configuration.getClosestPointsAlgorithmCreateFunc(type_0, type_1),
               configuration.btDefaultCollisionConfiguration::getClosestPointsAlgorithmCreateFunc(type_0, type_1));
   });
@@ -73,7 +84,7 @@ TEST(Registration, Dispatcher_CopiesTheConfigurationsTables) {
   });
 }
 
-TEST(Registration, Register_TakesEveryConvexPairAndNothingElse) {
+TEST(Registration, Register_TakesEveryConvexPairAndMeshesAndNothingElse) {
   btDefaultCollisionConfiguration configuration;
   const OpenDispatcher before(&configuration);
   OpenDispatcher after(&configuration);
@@ -87,10 +98,20 @@ TEST(Registration, Register_TakesEveryConvexPairAndNothingElse) {
       EXPECT_NE(before.Contact(type_0, type_1), contact);
       EXPECT_NE(before.Closest(type_0, type_1), closest);
     } else {
-      EXPECT_EQ(after.Contact(type_0, type_1), before.Contact(type_0, type_1));
+      EXPECT_EQ(after.Contact(type_0, type_1) == before.Contact(type_0, type_1), !IsConvexOnMesh(type_0, type_1));
       EXPECT_EQ(after.Closest(type_0, type_1), before.Closest(type_0, type_1));
     }
   });
+}
+
+// Bullet keeps nothing of a triangle from step to step, as the option asks.
+TEST(Registration, WithoutWarmStart_MeshesAreLeftToBullet) {
+  dgd_bullet::Options options;
+  options.warm_start = false;
+  dgd_bullet::CollisionConfiguration configuration(options);
+  const int box = BOX_SHAPE_PROXYTYPE, mesh = TRIANGLE_MESH_SHAPE_PROXYTYPE;
+  EXPECT_EQ(configuration.getCollisionAlgorithmCreateFunc(box, mesh),
+            configuration.btDefaultCollisionConfiguration::getCollisionAlgorithmCreateFunc(box, mesh));
 }
 
 // GImpact has one create function for its whole row and column, and writes it into the contact table only.

@@ -20,9 +20,10 @@
 namespace dgd_bullet {
 
 /// A configuration of Bullet's, or an app's own, with the growth distance for every pair of convex types, in the
-/// contact table and in the closest-points table. Everything else (compounds, meshes, planes, soft bodies, the
-/// two-dimensional types) stays the base's. The dispatcher copies the tables when it is made. As with any Bullet
-/// configuration, this object must outlive the dispatcher and all its pairs.
+/// contact table and in the closest-points table; and in the contact table, for convex types on triangle meshes and
+/// heightfields, Bullet's own algorithm with the triangles' answers kept from step to step. Everything else (compounds,
+/// planes, soft bodies, the two-dimensional types) stays the base's. The dispatcher copies the tables when it is made.
+/// As with any Bullet configuration, this object must outlive the dispatcher and all its pairs.
 ///
 ///     dgd_bullet::CollisionConfigurationOf<btSoftBodyRigidBodyCollisionConfiguration> configuration;
 template <class Base>
