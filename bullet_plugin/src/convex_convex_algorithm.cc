@@ -83,10 +83,10 @@ void Swap(dgd::ContactPatch<double>& patch, dgd::Result<double>& result) {
   result.normal = -result.normal;
 }
 
-/// Has memory bring what will be written to.
+/// Has memory bring what will be read, and by default written to.
+template <int kForWriting = 1>
 void Prefetch(const void* begin, std::size_t size) {
   constexpr std::size_t kLine = 64;
-  constexpr int kForWriting = 1;
   for (std::size_t at = 0; at < size; at += kLine) {
     __builtin_prefetch(static_cast<const char*>(begin) + at, kForWriting);
   }
@@ -111,8 +111,7 @@ ConvexConvexAlgorithm::~ConvexConvexAlgorithm() {
 void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* body_0,
                                              const btCollisionObjectWrapper* body_1, const btDispatcherInfo& info,
                                              btManifoldResult* output) {
-  PrefetchNext();
-  PrefetchManifold();
+  PrefetchNext(*body_0, *body_1);
   if (Recorder* recorder = narrowphase_.options().recorder) recorder->Add(*body_0, *body_1);
   const auto count = [&](Fallback fallback) {
     narrowphase_.CountFallback(*body_0->getCollisionShape(), *body_1->getCollisionShape(), fallback);
@@ -137,16 +136,20 @@ void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* bod
   }
 }
 
-void ConvexConvexAlgorithm::PrefetchNext() {
-  const void* next = VisitingOrder::OfThisThread().Visit(this, place_);
-  if (next != nullptr) Prefetch(next, sizeof(ConvexConvexAlgorithm));
-}
-
-void ConvexConvexAlgorithm::PrefetchManifold() const {
-  if (manifold_ == nullptr) return;
-  // Beside the number of points and the breaking threshold.
-  __builtin_prefetch(&manifold_->m_companionIdA);
-  if (had_contact_) Prefetch(manifold_, MANIFOLD_CACHE_SIZE * sizeof(btManifoldPoint));
+void ConvexConvexAlgorithm::PrefetchNext(const btCollisionObjectWrapper& body_0,
+                                         const btCollisionObjectWrapper& body_1) {
+  VisitingOrder::Visited now{.pair = this, .bodies = {body_0.getCollisionObject(), body_1.getCollisionObject()}};
+  if (is_resting_) now.resting = resting_.get();
+  if (had_contact_) now.contacts = manifold_;
+  if (manifold_ != nullptr) now.manifold_state = &manifold_->m_companionIdA;
+  const VisitingOrder::Visited next = VisitingOrder::OfThisThread().Visit(now, place_);
+  if (next.pair == nullptr) return;
+  Prefetch(next.pair, sizeof(ConvexConvexAlgorithm));
+  if (next.resting != nullptr) Prefetch(next.resting, sizeof(RestingPair));
+  if (next.contacts != nullptr) Prefetch(next.contacts, MANIFOLD_CACHE_SIZE * sizeof(btManifoldPoint));
+  Prefetch(next.manifold_state, 1);
+  // Other threads read them, too.
+  for (const void* body : next.bodies) Prefetch<0>(body, sizeof(btCollisionObject));
 }
 
 bool ConvexConvexAlgorithm::HasManifold(const btCollisionObjectWrapper* body_0,
@@ -325,7 +328,7 @@ bool ConvexConvexAlgorithm::StaysApart(const btCollisionObjectWrapper& body_0, c
     return false;
   const PairMotion motion =
       MeetsEarly(reach_a.object, reach_b.object) ? PairMotion(reach_a, reach_b, double(info.m_timeStep)) : PairMotion();
-  if (!(separation > motion.MaxApproach(FromBullet(normal)))) return false;
+  if (motion.MayApproachBy(separation, FromBullet(normal))) return false;
   if (owns_manifold_ && manifold_->getNumContacts() > 0) return false;  // Of an answer that was not ours.
   if (PairCounters* counters = narrowphase_.pair_counters()) {
     counters->Count(ShapeOf(&a).getShapeType(), ShapeOf(&b).getShapeType(),

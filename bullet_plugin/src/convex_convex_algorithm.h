@@ -49,11 +49,9 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   /// Makes the manifold if there is none yet. False if the dispatcher has none left.
   bool HasManifold(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1);
 
-  /// Has memory bring what of the manifold will be read, while the answer is made: in a world of thousands of pairs it
-  /// is nowhere near, and to wait for it takes as long as to tell that a pair is apart.
-  void PrefetchManifold() const;
-  /// ... and the algorithm that Bullet will most likely call next.
-  void PrefetchNext();
+  /// Has memory bring the algorithm that Bullet will most likely call next, and what that will read. In a world of
+  /// thousands of pairs it is nowhere near, and to wait for it takes as long as to tell that a pair is apart.
+  void PrefetchNext(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1);
 
   /// Solves the pair and writes its contacts. If that failed: why; nothing was written then.
   std::optional<Fallback> FindContacts(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1,

@@ -53,14 +53,16 @@ struct BulletPatch {
       Contact& contact = contacts[static_cast<std::size_t>(i)];
       contact.on_a_in_body = pose_a.invXform(contact.on_a);
       btScalar nearest_sq = threshold * threshold;
+      int nearest = kNew;
       for (int j = 0; j < cached; ++j) {
         const btScalar distance_sq = (manifold.getContactPoint(j).m_localPointA - contact.on_a_in_body).length2();
-        if (distance_sq < nearest_sq && !is_continued[static_cast<std::size_t>(j)]) {
-          nearest_sq = distance_sq;
-          contact.continued = j;
-        }
+        // Without a branch: which one is the nearest is another one for each point.
+        const bool is_nearer = (distance_sq < nearest_sq) & !is_continued[static_cast<std::size_t>(j)];
+        nearest_sq = is_nearer ? distance_sq : nearest_sq;
+        nearest = is_nearer ? j : nearest;
       }
-      if (contact.continued != kNew) is_continued[static_cast<std::size_t>(contact.continued)] = true;
+      contact.continued = nearest;
+      if (nearest != kNew) is_continued[static_cast<std::size_t>(nearest)] = true;
     }
   }
 

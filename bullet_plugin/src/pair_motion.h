@@ -44,6 +44,12 @@ class PairMotion {
   double MaxApproach() const {
     return time_step_ * ((a_.linear - b_.linear).norm() + a_.angular.norm() * a_.reach + b_.angular.norm() * b_.reach);
   }
+  /// Whether that may be as much as `distance`, metres; also where velocities are no numbers. Mostly without a root.
+  bool MayApproachBy(double distance, const Vector3& normal) const {
+    const double along = normal.dot(a_.linear - b_.linear);
+    const double around = a_.angular.lpNorm<1>() * a_.reach + b_.angular.lpNorm<1>() * b_.reach;
+    return !(time_step_ * (along + around) < distance) && !(MaxApproach(normal) < distance);
+  }
 
   /// Whether no point of either body goes farther than `distance`, metres.
   bool IsWithin(double distance) const {

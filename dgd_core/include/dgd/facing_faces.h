@@ -127,7 +127,10 @@ using Sides = std::array<S, CornerList<S>::kCapacity>;
 /// @return false, and `clipped` is left as it was, if that is all of it.
 template <class S>
 bool KeepInside(const CornerList<S>& subject, const Sides<S>& sides, CornerList<S>& clipped) {
-  if (std::all_of(sides.begin(), sides.begin() + subject.size, [](S side) { return side >= 0; })) return false;
+  // Without a branch for each.
+  bool is_inside = true;
+  for (int i = 0; i < subject.size; ++i) is_inside &= sides[static_cast<std::size_t>(i)] >= 0;
+  if (is_inside) return false;
   clipped.size = 0;
   const bool closed = subject.size > 2;
   for (int i = 0; i < subject.size; ++i) {
