@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "dgd/growth_distance.h"
+#include "dgd/ray/ball_hull.h"
 #include "dgd/ray/facet_walk.h"
 #include "dgd/ray/first_normal.h"
 #include "dgd/ray/ray_intersection.h"
@@ -22,32 +23,79 @@ bool WereApart(const WarmStart<S, L>* warm_start) {
   return warm_start != nullptr && warm_start->size == 0 && HasNormal(*warm_start);
 }
 
-/// Tries one normal before any frame is made: two evaluations of support functions and a few dot products decide most
-/// pairs of a broadphase, which are apart and stay so.
+/// What one direction tells before any frame is made: a plane across it that each set ends at, and how far these are
+/// apart.
+template <class Set>
+struct SupportingPlanes {
+  using S = typename Set::Scalar;
+  using Point = VectorOf<typename Set::Core>;
+  using Support = SupportPoint<S, kDimension<typename Set::Core>>;
+
+  Point normal;                  ///< World, unit length, from set 1 to set 2.
+  Support support_1, support_2;  ///< Of the cores, in their frames.
+  S separation;                  ///< Metres, negative for overlap.
+};
+
 /// @param normal_1  Unit length, set 1's frame.
-/// @param top_1     Set to a point of set 1 that is farthest along it, world.
-/// @return whether the sets are farther apart along it than `limit`; the result then says so.
 template <class Set1, class Set2>
-[[gnu::flatten]] bool SeparatedAlong(const VectorOf<typename Set1::Core>& normal_1, const Set1& set_1,
-                                     const PoseOf<Set1>& pose_1, const Set2& set_2, const PoseOf<Set1>& pose_2,
-                                     typename Set1::Scalar limit, ResultOf<Set1>& result,
-                                     VectorOf<typename Set1::Core>& top_1) {
+[[gnu::flatten]] SupportingPlanes<Set1> PlanesAlong(const VectorOf<typename Set1::Core>& normal_1, const Set1& set_1,
+                                                    const PoseOf<Set1>& pose_1, const Set2& set_2,
+                                                    const PoseOf<Set1>& pose_2) {
+  SupportingPlanes<Set1> planes;
+  planes.normal = pose_1.rotation * normal_1;
+  const VectorOf<typename Set1::Core> normal_2 = pose_2.rotation.transpose() * -planes.normal;
+  planes.support_1 = set_1.core.Support(normal_1);
+  planes.support_2 = set_2.core.Support(normal_2);
+  planes.separation = planes.normal.dot(pose_2.translation - pose_1.translation) -
+                      normal_1.dot(planes.support_1.point) - normal_2.dot(planes.support_2.point) - set_1.radius -
+                      set_2.radius;
+  return planes;
+}
+
+/// Whether the planes part the sets by more than `limit`: so two evaluations of support functions and a few dot
+/// products decide most pairs of a broadphase, which are apart and stay so.
+template <class Set>
+bool SeparateByMoreThan(const SupportingPlanes<Set>& planes, typename Set::Scalar limit) {
+  return planes.separation > limit && std::isfinite(planes.separation);  // False for NaN.
+}
+
+/// Whether sets overlap for certain, by the ball about their difference's centre and by its point farthest along the
+/// planes' normal.
+/// @param result  Set to say so.
+template <class Set1, class Set2>
+[[gnu::flatten]] bool OverlapAboutCenters(const SupportingPlanes<Set1>& planes, const Set1& set_1,
+                                          const PoseOf<Set1>& pose_1, const Set2& set_2, const PoseOf<Set1>& pose_2,
+                                          CollisionResultOf<Set1>& result) {
   using S = typename Set1::Scalar;
   using Point = VectorOf<typename Set1::Core>;
-  const Point normal = pose_1.rotation * normal_1;
-  const Point normal_2 = pose_2.rotation.transpose() * -normal;
-  const Point support_1 = set_1.core.Support(normal_1).point;
-  const Point support_2 = set_2.core.Support(normal_2).point;
-  const S separation = normal.dot(pose_2.translation - pose_1.translation) - normal_1.dot(support_1) -
-                       normal_2.dot(support_2) - set_1.radius - set_2.radius;
-  if (!(separation > limit && std::isfinite(separation))) return false;  // Also for NaN.
+  if (!HasCertainInterior(set_1, set_2, planes.support_1.point, planes.support_2.point)) return false;
+  const Point center_1 = pose_1.rotation * set_1.core.Center(), center_2 = pose_2.rotation * set_2.core.Center();
+  const Point ray = (pose_2.translation - pose_1.translation) + (center_2 - center_1);
+  const Point top_1 = pose_1.rotation * planes.support_1.point - center_1 + set_1.radius * planes.normal;
+  const Point top_2 = pose_2.rotation * planes.support_2.point - center_2 - set_2.radius * planes.normal;
+  const S inradius_1 = set_1.core.Inradius() + set_1.radius;
+  const S inradius = inradius_1 + set_2.core.Inradius() + set_2.radius;
+  const auto end = ray_internal::FindInBallHull(ray, Point(top_1 - top_2), inradius);
+  if (!end) return false;
+  result.status = Status::kColliding;
+  result.iterations = 1;
+  result.point = pose_1.translation + center_1 + end->share * top_1 + inradius_1 / inradius * end->inside;
+  return true;
+}
 
+/// Whether the planes tell a yes or no.
+/// @param result  Set to say so.
+template <class Set1, class Set2>
+bool IsDecidedBy(const SupportingPlanes<Set1>& planes, const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
+                 const PoseOf<Set1>& pose_2, CollisionResultOf<Set1>& result) {
+  if (!SeparateByMoreThan(planes, typename Set1::Scalar(0))) {
+    return OverlapAboutCenters(planes, set_1, pose_1, set_2, pose_2, result);
+  }
   result.status = Status::kSeparated;
   result.iterations = 1;
-  result.normal = normal;
-  result.separation = separation;
-  result.lower_bound = 1;  // The sets are apart.
-  top_1 = pose_1 * support_1 + set_1.radius * normal;
+  result.normal = planes.normal;
+  result.separation = planes.separation;
+  result.point = pose_1 * planes.support_1.point + (set_1.radius + planes.separation / 2) * planes.normal;
   return true;
 }
 
@@ -75,17 +123,20 @@ constexpr bool kHasFacetWalk = kDimension<typename Set1::Core> == 3 && Minkowski
 
 /// Asks FacetWalk: from the last facet, if there is one, and anew.
 /// @param remaining  The iterations that are left, if it has no answer.
+/// @param first      What is known along the line of centres, or null.
 /// @return whether it has, which the result is then. Not inlined: with its registers, sets that stay apart take 15 ns
 /// longer.
 template <class Set1, class Set2, class AnyResult>
 [[gnu::noinline, gnu::flatten]] bool AnswerByWalk(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
                                                   const PoseOf<Set1>& pose_2,
                                                   const Settings<typename Set1::Scalar>& settings,
-                                                  WarmStartOf<Set1>* warm_start, AnyResult& result,
-                                                  Settings<typename Set1::Scalar>& remaining) {
+                                                  WarmStartOf<Set1>* warm_start,
+                                                  std::type_identity_t<const SupportingPlanes<Set1>*> first,
+                                                  AnyResult& result, Settings<typename Set1::Scalar>& remaining) {
   using Walk = FacetWalk<Set1, Set2>;
   if (!settings.facet_walk || !settings.rounding || settings.max_iterations <= Walk::kMostAnew) return false;
   Walk walk(set_1, pose_1, set_2, pose_2);
+  if (first != nullptr) walk.StartFrom(first->support_1, first->support_2);
   // Of an edge or a corner, RayIntersection goes on; and of a thin facet, which a walk anew would end at, too.
   const int size = warm_start != nullptr ? warm_start->size : 0;
   if (size == 3 && walk.AnswerFromLast(settings, *warm_start, result)) return true;
@@ -280,15 +331,21 @@ template <class Set1, class Set2, class Observer>
                                                const Settings<typename Set1::Scalar>& settings,
                                                WarmStartOf<Set1>* warm_start, Observer&& observer) {
   ResultOf<Set1> result;
-  VectorOf<typename Set1::Core> top_1;
-  if (WereApart(warm_start) &&
-      SeparatedAlong(warm_start->normal_1, set_1, pose_1, set_2, pose_2, settings.separation_limit, result, top_1)) {
-    return result;
+  if (WereApart(warm_start)) {
+    const auto planes = PlanesAlong(warm_start->normal_1, set_1, pose_1, set_2, pose_2);
+    if (SeparateByMoreThan(planes, settings.separation_limit)) {
+      result.status = Status::kSeparated;
+      result.iterations = 1;
+      result.normal = planes.normal;
+      result.separation = planes.separation;
+      result.lower_bound = 1;  // The sets are apart.
+      return result;
+    }
   }
   Settings<typename Set1::Scalar> remaining = settings;
   // An observer is told of bounds that the walk does not have.
   if constexpr (kHasFacetWalk<Set1, Set2> && std::is_same_v<Observer, const NoObserver>) {
-    if (AnswerByWalk(set_1, pose_1, set_2, pose_2, settings, warm_start, result, remaining)) return result;
+    if (AnswerByWalk(set_1, pose_1, set_2, pose_2, settings, warm_start, nullptr, result, remaining)) return result;
   }
   result.iterations = settings.max_iterations - remaining.max_iterations;
   AnswerInFrame(Question::kDistance, set_1, pose_1, set_2, pose_2, remaining, warm_start, observer, result);
@@ -302,34 +359,34 @@ CollisionResultOf<Set1> DetectCollision(const Set1& set_1, const PoseOf<Set1>& p
                                         const PoseOf<Set1>& pose_2, const Settings<typename Set1::Scalar>& settings,
                                         WarmStartOf<Set1>* warm_start) {
   using S = typename Set1::Scalar;
-  CollisionResultOf<Set1> result;
-  ResultOf<Set1> apart;
   using Point = VectorOf<typename Set1::Core>;
+  CollisionResultOf<Set1> result;
   const bool is_cold = warm_start == nullptr || !HasNormal(*warm_start);
-  Point normal_1, top_1;
-  bool may_be_apart = false;
+  Point normal_1;
+  bool has_normal = false;
   if (is_cold) {
-    may_be_apart = FindLineOfCenters(set_1, pose_1, set_2, pose_2, normal_1);
-  } else {
+    has_normal = FindLineOfCenters(set_1, pose_1, set_2, pose_2, normal_1);
+  } else if (WereApart(warm_start)) {
     normal_1 = warm_start->normal_1;
-    may_be_apart = WereApart(warm_start);
+    has_normal = true;
   }
-  if (may_be_apart && SeparatedAlong(normal_1, set_1, pose_1, set_2, pose_2, S(0), apart, top_1)) {
-    if (is_cold && warm_start != nullptr) {
-      *warm_start = {};
-      warm_start->normal_1 = normal_1.normalized();
+  SupportingPlanes<Set1> planes;
+  if (has_normal) {
+    planes = PlanesAlong(normal_1, set_1, pose_1, set_2, pose_2);
+    if (IsDecidedBy(planes, set_1, pose_1, set_2, pose_2, result)) {
+      const bool are_apart = result.status == Status::kSeparated;
+      if (warm_start != nullptr && (is_cold || !are_apart)) {
+        *warm_start = {};
+        if (are_apart) warm_start->normal_1 = normal_1.normalized();
+      }
+      if (!IsFinite(result)) result.status = Status::kInvalidInput;
+      return result;
     }
-    result.status = Status::kSeparated;
-    result.iterations = apart.iterations;
-    result.normal = apart.normal;
-    result.separation = apart.separation;
-    result.point = top_1 + apart.separation / 2 * apart.normal;
-    if (!IsFinite(result)) result.status = Status::kInvalidInput;
-    return result;
   }
   Settings<S> remaining = settings;
   if constexpr (kHasFacetWalk<Set1, Set2>) {
-    if (AnswerByWalk(set_1, pose_1, set_2, pose_2, settings, warm_start, result, remaining)) return result;
+    const SupportingPlanes<Set1>* first = is_cold && has_normal ? &planes : nullptr;
+    if (AnswerByWalk(set_1, pose_1, set_2, pose_2, settings, warm_start, first, result, remaining)) return result;
   }
   const NoObserver observer;
   result.iterations = settings.max_iterations - remaining.max_iterations;
