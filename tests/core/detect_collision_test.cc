@@ -134,7 +134,7 @@ TEST(DetectCollision, DeepHulls_TakeTwoIterationsOnAverage) {
     ASSERT_NO_FATAL_FAILURE(ExpectPointInBoth<double>(reference, pair, result));
     iterations += result.iterations;
   }
-EXPECT_LT(double(iterations), 2.3 * count);
+  EXPECT_LT(double(iterations), 2.3 * count);
 }
 
 TEST(DetectCollision, WarmStart_GivesTheSameAnswerInFewerIterations) {
