@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <limits>
 #include <new>
 #include <optional>
 #include <utility>
@@ -83,12 +82,12 @@ void Swap(dgd::ContactPatch<double>& patch, dgd::Result<double>& result) {
   result.normal = -result.normal;
 }
 
-/// Has memory bring what will be read, and by default written to.
-template <int kForWriting = 1>
+/// Has memory bring what will be read, and most often written to.
+template <bool kForWriting = true>
 void Prefetch(const void* begin, std::size_t size) {
   constexpr std::size_t kLine = 64;
   for (std::size_t at = 0; at < size; at += kLine) {
-    __builtin_prefetch(static_cast<const char*>(begin) + at, kForWriting);
+    __builtin_prefetch(static_cast<const char*>(begin) + at, kForWriting ? 1 : 0);
   }
 }
 
@@ -149,7 +148,8 @@ void ConvexConvexAlgorithm::PrefetchNext(const btCollisionObjectWrapper& body_0,
   if (next.contacts != nullptr) Prefetch(next.contacts, MANIFOLD_CACHE_SIZE * sizeof(btManifoldPoint));
   Prefetch(next.manifold_state, 1);
   // Other threads read them, too.
-  for (const void* body : next.bodies) Prefetch<0>(body, sizeof(btCollisionObject));
+  constexpr bool kForWriting = false;
+  for (const void* body : next.bodies) Prefetch<kForWriting>(body, sizeof(btCollisionObject));
 }
 
 bool ConvexConvexAlgorithm::HasManifold(const btCollisionObjectWrapper* body_0,
@@ -324,8 +324,7 @@ bool ConvexConvexAlgorithm::StaysApart(const btCollisionObjectWrapper& body_0, c
   const btVector3 normal = a.getWorldTransform().getBasis() * InBulletAxes(warm_start_.normal_1, UpAxis(ShapeOf(&a)));
   const double separation = SeparationAlong({a, reach_a}, {b, reach_b}, normal);
   // What memory is slow to bring comes last.
-  if (!(separation > ContactDistance(options, output) && separation < std::numeric_limits<double>::infinity()))
-    return false;
+  if (!(separation > ContactDistance(options, output))) return false;
   const PairMotion motion =
       MeetsEarly(reach_a.object, reach_b.object) ? PairMotion(reach_a, reach_b, double(info.m_timeStep)) : PairMotion();
   if (motion.MayApproachBy(separation, FromBullet(normal))) return false;

@@ -7,7 +7,6 @@
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
 #include <LinearMath/btAabbUtil2.h>
 
-#include <limits>
 #include <new>
 
 #include "contact_distance.h"
@@ -109,8 +108,7 @@ class TriangleVisit final : public btTriangleCallback {
     if (!(length > 0)) return false;
     const btVector3 normal = mesh_.getWorldTransform().getBasis() * (area / length);
     const auto is_apart = [&](const btVector3& direction) {
-      const double separation = SeparationAlong({convex_, convex_reach_}, {triangle, mesh_reach_}, direction);
-      return separation > contact_distance_ && separation < std::numeric_limits<double>::infinity();
+      return SeparationAlong({convex_, convex_reach_}, {triangle, mesh_reach_}, direction) > contact_distance_;
     };
     return is_apart(normal) || is_apart(-normal);
   }

@@ -18,6 +18,17 @@
 #include "finite_result.h"
 
 namespace dgd_bullet {
+namespace {
+
+/// Makes an algorithm in a dispatcher's memory, of which Bullet gives back what it is left with.
+/// @return null without memory: Bullet leaves out the pair then, and asks anew in the next step.
+template <class Algorithm, class... Arguments>
+Algorithm* Make(const btCollisionAlgorithmConstructionInfo& info, Arguments&&... arguments) {
+  void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(Algorithm));
+  return memory == nullptr ? nullptr : new (memory) Algorithm(info, std::forward<Arguments>(arguments)...);
+}
+
+}  // namespace
 
 void PrintToStandardError(const char* message) noexcept { std::fprintf(stderr, "%s\n", message); }
 
@@ -100,18 +111,6 @@ void Narrowphase::FallBack(btDispatcher& dispatcher, const btCollisionObjectWrap
   FiniteResult finite(output);
   algorithm.processCollision(body_0, body_1, info, &finite);
 }
-
-namespace {
-
-/// Makes an algorithm in a dispatcher's memory, of which Bullet gives back what it is left with.
-/// @return null without memory: Bullet leaves out the pair then, and asks anew in the next step.
-template <class Algorithm, class... Arguments>
-Algorithm* Make(const btCollisionAlgorithmConstructionInfo& info, Arguments&&... arguments) {
-  void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(Algorithm));
-  return memory == nullptr ? nullptr : new (memory) Algorithm(info, std::forward<Arguments>(arguments)...);
-}
-
-}  // namespace
 
 btCollisionAlgorithm* Narrowphase::PairCreateFunc::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
                                                                             const btCollisionObjectWrapper* body_0,

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "pair_motion.h"
@@ -121,7 +122,9 @@ double SupportValue(const PlacedShape& placed, const btVector3& direction) {
 double SeparationAlong(const PlacedShape& shape_a, const PlacedShape& shape_b, const btVector3& normal) {
   const Vector3 between = FromBullet(shape_b.wrapper.getWorldTransform().getOrigin()) -
                           FromBullet(shape_a.wrapper.getWorldTransform().getOrigin());
-  return FromBullet(normal).dot(between) - SupportValue(shape_a, normal) - SupportValue(shape_b, -normal);
+  const double separation =
+      FromBullet(normal).dot(between) - SupportValue(shape_a, normal) - SupportValue(shape_b, -normal);
+  return std::isfinite(separation) ? separation : -std::numeric_limits<double>::infinity();
 }
 
 }  // namespace dgd_bullet

@@ -20,7 +20,8 @@ struct PlacedShape {
 };
 
 /// How far two convex shapes, with their margins, are at least apart along a direction; metres, rounding allowed for.
-/// Not finite where that would take longer than the solver, of large hulls and of meshes; and of what is no shape.
+/// Minus infinity where that would take longer than the solver, of large hulls and of convex meshes; and of what is
+/// no shape or no pose.
 /// @param normal  From A to B, of unit length within rounding, world.
 double SeparationAlong(const PlacedShape& shape_a, const PlacedShape& shape_b, const btVector3& normal);
 

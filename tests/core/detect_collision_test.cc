@@ -114,11 +114,12 @@ void CheckTouching(int pairs) {
 TEST(DetectCollision, TouchingPairs_GetAProvenAnswerInDouble) { CheckTouching<double>(TestCount(20000)); }
 TEST(DetectCollision, TouchingPairs_GetAProvenAnswerInFloat) { CheckTouching<float>(TestCount(10000)); }
 
-// By the ball about the centre, and by one or two points; without it they take 3.5 iterations.
-TEST(DetectCollision, DeepHulls_TakeTwoIterationsOnAverage) {
+// By the ball about the centre, and by one or two points; without it they take 3.5 iterations. Asked again, they go on
+// from the last corners, which such a point alone would not leave.
+TEST(DetectCollision, DeepHulls_TakeTwoIterationsOnAverageAndLessWhenAskedAgain) {
   Random random(TestSeed());
   const int count = TestCount(5000);
-  long iterations = 0;
+  long iterations = 0, iterations_again = 0;
   for (int i = 0; i < count; ++i) {
     ReferencePair reference;
     reference.set_1 = RandomHull(random, 8 + random.Below(13), 0.5, 0);
@@ -133,8 +134,15 @@ TEST(DetectCollision, DeepHulls_TakeTwoIterationsOnAverage) {
     ASSERT_EQ(result.status, Status::kColliding) << reference.Dump();
     ASSERT_NO_FATAL_FAILURE(ExpectPointInBoth<double>(reference, pair, result));
     iterations += result.iterations;
+    dgd::WarmStart<double> warm_start;
+    (void)pair.DetectCollision({}, &warm_start);
+    const dgd::CollisionResult<double> again = pair.DetectCollision({}, &warm_start);
+    ASSERT_EQ(again.status, Status::kColliding) << reference.Dump();
+    ASSERT_NO_FATAL_FAILURE(ExpectPointInBoth<double>(reference, pair, again));
+    iterations_again += again.iterations;
   }
   EXPECT_LT(double(iterations), 2.3 * count);
+  EXPECT_LT(double(iterations_again), 0.5 * count);
 }
 
 TEST(DetectCollision, WarmStart_GivesTheSameAnswerInFewerIterations) {

@@ -79,7 +79,8 @@ struct Options {
 
   /// Start each step's query of a pair from its last answer. Off: the answer depends on nothing but shapes, poses and
   /// the manifold, so that a world whose bodies and manifolds have been saved and restored goes on bit by bit as
-  /// before; pairs that stay near each other then cost about twice the time.
+  /// before; pairs that stay near each other then cost about twice the time. Nothing is kept of a mesh's triangles
+  /// then.
   bool warm_start = true;
 
   /// Fill Statistics::pairs. Threads then share counters; without it, none are touched.

@@ -23,7 +23,8 @@ ResultOf<Set1> GrowthDistance(const Set1& set_1, const PoseOf<Set1>& pose_1, con
                               WarmStartOf<Set1>* warm_start = nullptr, Observer&& observer = NoObserver());
 
 /// Whether two sets have a point in common; stops as soon as a bound crosses 1 (paper, Sec. III-D4). Parameters as for
-/// GrowthDistance, whose warm start it shares.
+/// GrowthDistance, whose warm start it shares. Of a deep overlap, a first check with a warm start takes longer than one
+/// without: a common point is proven by less than a next check would begin from.
 template <class Set1, class Set2>
 CollisionResultOf<Set1> DetectCollision(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
                                         const PoseOf<Set1>& pose_2,

@@ -13,8 +13,8 @@
 //  * Where the last query ended. From frame to frame most pairs keep their facet, or leave by one nearby; where the ray
 //    passes beside it, a point beyond the side that it crosses takes a corner's place.
 //  * Anew, in the ball about the centre that is inside the cores' difference (Alg. 1), and from three directions about
-//    the ray. Of large hulls, no support function is asked while points that are looked up (GuessingCore) are above the
-//    triangle.
+//    the ray. Of two of them, and of the ball, a check may be told enough. Of large hulls, no support function is asked
+//    while points that are looked up (GuessingCore) are above the triangle.
 #pragma once
 
 #include <algorithm>
@@ -79,6 +79,7 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
     return WalkFromLast(settings, Early::kDecided, state, result);
   }
   bool AnswerAnew(const Settings<S>& settings, WarmStart<S>* state, CollisionResult<S>& result) {
+    wants_corners_ = state != nullptr;
     return Report(WalkAnew<Early::kDecided>(settings), settings, state, result);
   }
 
@@ -123,7 +124,7 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
   enum class End {
     kExit,    ///< The ray leaves here.
     kApart,   ///< By `apart_` along the last normal.
-    kCommon,  ///< The ray ends below the corners.
+    kCommon,  ///< The ray ends below the corners, or at the common point.
     kNone     ///< RayIntersection's.
   };
 
@@ -290,7 +291,7 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
     // Of skewed sets, what is farthest along the ray is far from it, and so is what is found like that.
     if (beside.squaredNorm() > kNearSq * height * height) return this->template Exchange<false>(first);
     const Corner second = (this->*kAlong)(height * axis - kSpread * beside);
-    if (kIsCheck && height * height > kWellInside * kWellInside * ray_.squaredNorm() &&
+    if (kIsCheck && !wants_corners_ && height * height > kWellInside * kWellInside * ray_.squaredNorm() &&
         FindCommonPoint(axis, first, second)) {
       return true;
     }
@@ -488,7 +489,6 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
     } else if (common_) {
       result.status = Status::kColliding;
       result.point = pose_1_.translation + *common_;
-      if (state != nullptr) *state = {};
       return IsFinite(result);
     } else {
       if (!IsCertain(end)) return false;
@@ -527,6 +527,7 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
   const Pose<S>& pose_2_;
   std::optional<Corner> first_;  // If known, the farthest along the ray.
   std::optional<Point> common_;  // Of the two sets, from set 1's origin; world.
+  bool wants_corners_ = true;    // For a next query to begin from: a common point would leave none.
   FeatureId hint_1_ = kNoFeature, hint_2_ = kNoFeature;
   S rise_;   // Of the sets' support value over the plane of the corners, times the normal's length.
   S apart_;  // Of the sets' supporting planes along the normal, times its length.

@@ -36,6 +36,7 @@ struct SupportingPlanes {
   S separation;                  ///< Metres, negative for overlap.
 };
 
+/// The planes across one direction: an evaluation of each set's support function.
 /// @param normal_1  Unit length, set 1's frame.
 template <class Set1, class Set2>
 [[gnu::flatten]] SupportingPlanes<Set1> PlanesAlong(const VectorOf<typename Set1::Core>& normal_1, const Set1& set_1,
