@@ -225,7 +225,7 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObj
   if (WantsContacts(info.m_debugDraw)) DrawContacts(patch, result, *info.m_debugDraw);
   WriteContacts(patch, result.normal, output);
   // Bodies that do not touch may be given a speed that makes them.
-  if (had_contact_ && IsCalm(query.motion)) RememberRest(*body_0, *body_1);
+  if (had_contact_) RememberRest(*body_0, *body_1, query.motion);
   return std::nullopt;
 } catch (const std::bad_alloc&) {
   return Fallback::kNoMemory;  // For a hull.
@@ -233,20 +233,18 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObj
   return Fallback::kInvalid;  // A shape that is not one: NaN or infinite sizes, no points.
 }
 
-dgd::FaceHolder ConvexConvexAlgorithm::FaceUnderContacts() const {
+Footing ConvexConvexAlgorithm::FootingOfContacts() const {
   // On fewer a body rolls, and is pushed on by points that turn with it.
   constexpr int kFewest = 3;
-  if (manifold_->getNumContacts() < kFewest) return dgd::FaceHolder::kNone;
+  if (manifold_->getNumContacts() < kFewest) return {};
   // Where edges of two faces cross that are nearly parallel, the normal is neither's, and turns with both.
-  return face_holder_ != dgd::FaceHolder::kNone ? face_holder_ : dgd::FaceHolder::kSet1;
+  return {face_holder_ != dgd::FaceHolder::kNone ? face_holder_ : dgd::FaceHolder::kSet1, *manifold_};
 }
 
-bool ConvexConvexAlgorithm::IsCalm(const PairMotion& motion) const {
-  const auto breaking_threshold = double(manifold_->getContactBreakingThreshold());
-  return motion.IsWithin(RestingDistance(breaking_threshold)) ||
-         (FaceUnderContacts() != dgd::FaceHolder::kNone &&
-          motion.IsTogetherWithin(FromBullet(manifold_->getContactPoint(0).m_positionWorldOnB),
-                                  RestingDistanceOnFace(breaking_threshold)));
+bool ConvexConvexAlgorithm::IsCalm(const PairMotion& motion, const Footing& footing) const {
+  return motion.IsWithin(RestingDistance(double(manifold_->getContactBreakingThreshold()))) ||
+         (footing.holder != dgd::FaceHolder::kNone &&
+          motion.IsTogetherWithin(FromBullet(manifold_->getContactPoint(0).m_positionWorldOnB), footing.max_drift));
 }
 
 void ConvexConvexAlgorithm::FindNormal(Query& query) {
@@ -338,21 +336,21 @@ bool ConvexConvexAlgorithm::StaysApart(const btCollisionObjectWrapper& body_0, c
   return false;  // A user's shape that throws: FindContacts() says what comes of it.
 }
 
-void ConvexConvexAlgorithm::RememberRest(const btCollisionObjectWrapper& body_a,
-                                         const btCollisionObjectWrapper& body_b) {
+void ConvexConvexAlgorithm::RememberRest(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
+                                         const PairMotion& motion) {
   const Options& options = narrowphase_.options();
-  const dgd::FaceHolder holder = FaceUnderContacts();
   // Where the options say that contacts come from this step's poses alone, none are kept from an earlier one.
-  is_resting_ = options.keep_resting_contacts && owns_manifold_ && options.contact_patch && options.warm_start &&
-                RestingPair::CanTell(body_a, body_b, double(manifold_->getContactBreakingThreshold()), holder);
-  if (!is_resting_) return;
-  const RestingPair resting(body_a, body_b, *manifold_, holder);
+  if (!options.keep_resting_contacts || !owns_manifold_ || !options.contact_patch || !options.warm_start) return;
+  const Footing footing = FootingOfContacts();
+  if (!IsCalm(motion, footing)) return;
+  if (!RestingPair::CanTell(body_a, body_b, double(manifold_->getContactBreakingThreshold()), footing)) return;
+  const RestingPair resting(body_a, body_b, *manifold_, footing);
   if (resting_ != nullptr) {
     *resting_ = resting;
   } else {
     resting_.reset(new (std::nothrow) RestingPair(resting));
-    is_resting_ = resting_ != nullptr;
   }
+  is_resting_ = resting_ != nullptr;
 }
 
 void ConvexConvexAlgorithm::Recall(bool is_other_order, const Pose& pose_a, const Pose& pose_b) {

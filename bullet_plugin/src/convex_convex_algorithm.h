@@ -24,6 +24,7 @@
 namespace dgd_bullet {
 
 class RestingPair;
+struct Footing;
 
 class ConvexConvexAlgorithm : public btCollisionAlgorithm {
  public:
@@ -75,14 +76,15 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   bool StaysApart(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
                   const btDispatcherInfo& info, const btManifoldResult& output);
 
-  /// With whose face the contacts' normal turns, if any.
-  dgd::FaceHolder FaceUnderContacts() const;
+  /// The face that the contacts' normal turns with, if any.
+  Footing FootingOfContacts() const;
 
   /// Whether a pair with contacts will be nearly as it is after the step.
-  bool IsCalm(const PairMotion& motion) const;
+  bool IsCalm(const PairMotion& motion, const Footing& footing) const;
 
-  /// Notes what the contacts have been found for, if the options say that they are kept.
-  void RememberRest(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b);
+  /// Notes what the contacts have been found for, if the pair is calm and the options say that they are kept.
+  void RememberRest(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
+                    const PairMotion& motion);
 
   /// Makes the last query's state this one's start: none if the options say so, else in the order that the shapes are
   /// solved in now.

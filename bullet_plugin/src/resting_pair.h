@@ -33,8 +33,21 @@ namespace dgd_bullet {
 /// left with (0.012 to 0.038 mm/s).
 constexpr double RestingDistance(double breaking_threshold) { return 1e-3 * breaking_threshold; }
 
-/// And on a face, against the other body: 0.2 mm for large ones.
-constexpr double RestingDistanceOnFace(double breaking_threshold) { return 1e-2 * breaking_threshold; }
+/// What contacts lie on.
+struct Footing {
+  /// On no face.
+  Footing() = default;
+
+  /// @param holder    Whose face it is that the contacts' normal turns with.
+  /// @param manifold  With three contacts or more.
+  Footing(dgd::FaceHolder holder, const btPersistentManifold& manifold);
+
+  dgd::FaceHolder holder = dgd::FaceHolder::kNone;
+  /// How far the bodies may go against each other before the contacts are found anew, metres: 1.6 mm for large ones, or
+  /// less where the surfaces are not as good as parallel, so that no distance changes by more than 10 micrometres on
+  /// the way.
+  double max_drift = 0;
+};
 
 /// A pair as it was when its contacts were found. The two bodies in the order that they are solved in.
 class RestingPair {
@@ -42,15 +55,14 @@ class RestingPair {
   using Hull = std::shared_ptr<const CachedHull>;
 
   /// @param manifold  With contacts, of one normal.
-  /// @param holder    With which body's face that turns, if any.
   RestingPair(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
-              const btPersistentManifold& manifold, dgd::FaceHolder holder);
+              const btPersistentManifold& manifold, const Footing& footing);
 
   /// Whether a pair can be told to be as it was: shapes whose numbers can be compared, and bodies whose contacts an app
   /// does not want to see anew at each step, for it colours them; where poses are exact enough to tell the distance.
   /// @param breaking_threshold  The manifold's, metres.
   static bool CanTell(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
-                      double breaking_threshold, dgd::FaceHolder holder);
+                      double breaking_threshold, const Footing& footing);
 
   /// What has become of a pair since.
   enum class Since {
@@ -84,7 +96,7 @@ class RestingPair {
 
   std::array<Side, 2> sides_;
   btTransform between_;  // Pose of body B seen from body A.
-  dgd::FaceHolder holder_;
+  Footing footing_;
   btVector3 held_normal_;  // Of the contacts, in the holder's frame.
   int contacts_;
 };

@@ -98,10 +98,10 @@ TEST_F(RestingPair, PointsThatStickNoLonger_AreLetGo) {
   }
 }
 
-// Two centimetres across, ten metres from the origin: a thousandth of its threshold is less than its pose's last digit.
+// Four millimetres across, ten metres from the origin: a twelfth of its threshold is a few of its pose's last digits.
 TEST_F(RestingPair, BodyThatItsPosesRoundingMoves_IsNotAtRestInFloat) {
-  btBoxShape& tiny = world_.Make<btBoxShape>(Vec(0.01, 0.01, 0.01));
-  world_.Add(tiny, 1, Vec(7, 7, 0.0099));
+  btBoxShape& tiny = world_.Make<btBoxShape>(Vec(0.002, 0.002, 0.002));
+  world_.Add(tiny, 1, Vec(7, 7, 0.00199));
   Detect();
   const std::uint64_t before = Resting();
   Detect();
@@ -111,18 +111,18 @@ TEST_F(RestingPair, BodyThatItsPosesRoundingMoves_IsNotAtRestInFloat) {
 TEST_F(RestingPair, SmallSteps_AddUpFromWhereTheContactsWereFound) {
   int kept = 0;
   for (int i = 0; i < 30; ++i) {
-    MoveBody(Vec(3e-5, 0, 0));
+    MoveBody(Vec(2e-4, 0, 0));
     kept += Detect();
   }
-  // 0.9 mm, a new find for each 0.17 or so: the threshold is 17 mm.
+  // 6 mm, a new find for each 1.4 or so: the threshold is 17 mm.
   EXPECT_GE(kept, 20);
   EXPECT_LE(kept, 26);
 }
 
 TEST_F(RestingPair, WhateverChanges_IsFoundAnew) {
   const std::pair<const char*, std::function<void()>> changes[] = {
-      {"moved", [&] { MoveBody(Vec(3e-4, 0, 0)); }},
-      {"turned", [&] { body_->getWorldTransform().setRotation(btQuaternion(Vec(0, 0, 1), btScalar(1e-3))); }},
+      {"moved", [&] { MoveBody(Vec(2e-3, 0, 0)); }},
+      {"turned", [&] { body_->getWorldTransform().setRotation(btQuaternion(Vec(0, 0, 1), btScalar(5e-3))); }},
       {"margin", [&] { box_.setMargin(btScalar(0.02)); }},
       {"scaling", [&] { box_.setLocalScaling(Vec(1, 1, 1.001)); }},
       {"contacts cleared", [&] { Manifold().clearManifold(); }},
@@ -304,6 +304,35 @@ TEST(RestingPairOption, LittleByLittleOnAFace_DistancesAreThoseFoundAnew) {
   }
   EXPECT_GE(world.statistics().pairs[0].resting, 150U);
   EXPECT_EQ(reference.statistics().pairs[0].resting, 0U);
+}
+
+/// A tilted box slides over the edge of another: its lowest corners come along, and what is above the edge is ever
+/// higher.
+TEST(RestingPairOption, SlidingTiltedOverAnEdge_DistancesAreNearlyThoseFoundAnew) {
+  dgd_bullet::Options anew = Counting();
+  anew.keep_resting_contacts = false;
+  TestWorld world(Route::kConfiguration, Counting()), reference(Route::kConfiguration, anew);
+  TestWorld* const worlds[2] = {&world, &reference};
+  btRigidBody* body[2];
+  for (int i = 0; i < 2; ++i) {
+    worlds[i]->Add(worlds[i]->Make<btBoxShape>(Vec(0.2, 0.5, 0.5)), 0, Vec(0, 0, -0.5));
+    body[i] = &worlds[i]->Add(worlds[i]->Make<btBoxShape>(Vec(0.2, 0.2, 0.2)), 1, Vec(0, 0, 1));
+  }
+  const auto farthest = [](TestWorld& asked) {
+    double distance = -std::numeric_limits<double>::infinity();
+    for (const btManifoldPoint& point : asked.Points()) distance = std::max(distance, double(point.getDistance()));
+    return distance;
+  };
+  const Eigen::Matrix3d tilt = Eigen::AngleAxisd(-0.01, Vector::UnitY()).toRotationMatrix();
+  for (int step = 0; step < 100; ++step) {
+    for (int i = 0; i < 2; ++i) {
+      body[i]->setWorldTransform(MakeTransform(tilt, {0.15 - 1e-4 * step, 0, 0.203}));
+      worlds[i]->Detect();
+    }
+    ASSERT_EQ(world.Points().size(), 4U);
+    EXPECT_NEAR(farthest(world), farthest(reference), 4e-6) << step;
+  }
+  EXPECT_GE(world.statistics().pairs[0].resting, 50U);
 }
 
 }  // namespace

@@ -73,8 +73,9 @@ struct Options {
 
   /// Bodies that have not moved by more than a thousandth of the breaking threshold (20 micrometres for large ones)
   /// since their contacts were found keep them, at a fifth of the cost; only the distances are made anew. So do bodies
-  /// on each other's faces that have moved together, by no more than a hundredth of the threshold against each other:
-  /// their normal turns with the face. In manifolds of the pair's own only, and needs contact_patch and warm_start.
+  /// on each other's faces that have moved together: by no more than a twelfth of the threshold against each other, nor
+  /// by more than leaves each distance within a two-thousandth of it. Their normal turns with the face. In manifolds of
+  /// the pair's own only, and needs contact_patch and warm_start.
   bool keep_resting_contacts = true;
 
   /// Start each step's query of a pair from its last answer. Off: the answer depends on nothing but shapes, poses and
