@@ -16,8 +16,9 @@ void FindFacingFaces(const PosedShape& shape_a, const PosedShape& shape_b, const
 
 dgd::ContactPatch<double> FindPatch(const dgd::Result<double>& result, const dgd::FacingFaces<double>& facing,
                                     const dgd::PatchSettings<double>& settings, const PairMotion& motion) {
+  const bool may_meet = motion.MayApproachBy(settings.contact_distance, result.normal);
   const auto is_approaching = [&](const Vector3& point, double separation) {
-    return separation <= motion.Approach(point, result.normal);
+    return may_meet && separation <= motion.Approach(point, result.normal);
   };
   return dgd::FindContactPatch(result, facing, settings, is_approaching);
 }

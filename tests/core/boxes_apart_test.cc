@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
+#include <vector>
 
 #include "dgd/growth_distance.h"
 #include "dgd/shapes.h"
@@ -55,9 +57,20 @@ Vector3d AreaOf(const dgd::FacingFaces<S>& facing) {
     const dgd::Corner<S>& corner = facing.overlap[i];
     return facing.frame.ToWorld({corner.x, corner.y, corner.height_1}).template cast<double>();
   };
+  const int size = facing.overlap.size;
+  double middle_x = 0, middle_y = 0;
+  for (int i = 0; i < size; ++i) {
+    middle_x += double(facing.overlap[i].x) / size;
+    middle_y += double(facing.overlap[i].y) / size;
+  }
+  std::vector<int> around(static_cast<std::size_t>(size));
+  std::iota(around.begin(), around.end(), 0);
+  std::ranges::sort(around, {}, [&](int i) {
+    return std::atan2(double(facing.overlap[i].y) - middle_y, double(facing.overlap[i].x) - middle_x);
+  });
   Vector3d area = Vector3d::Zero();
-  for (int i = 1; i + 1 < facing.overlap.size; ++i) {
-    area += (in_world(i) - in_world(0)).cross(in_world(i + 1) - in_world(0)) / 2;
+  for (std::size_t i = 1; i + 1 < around.size(); ++i) {
+    area += (in_world(around[i]) - in_world(around[0])).cross(in_world(around[i + 1]) - in_world(around[0])) / 2;
   }
   return area;
 }

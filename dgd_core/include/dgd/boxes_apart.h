@@ -18,6 +18,7 @@
 #include "dgd/facing_faces.h"
 #include "dgd/held_face.h"
 #include "dgd/query_types.h"
+#include "dgd/rectangle_overlap.h"
 #include "dgd/shapes/box.h"
 #include "dgd/signed_distance.h"
 
@@ -251,32 +252,15 @@ class BoxPair {
     const Matrix3<S> edges = to_plane * other.axes * other.half.asDiagonal();
     const Vector3<S> to_other = is_1 ? between_ : Vector3<S>(-between_);
     const Vector3<S> above = to_plane * (to_other - middle) - std::copysign(S(1), cosines[down]) * edges.col(down);
-    const Vector3<S> edge_a = edges.col(Next(down)), edge_b = edges.col(Previous(down));
-    CornerList<S> polygon, buffer;
-    polygon.size = 0;
-    const auto add = [&](const Vector3<S>& corner) {
+    const Parallelogram<S> seen{above, edges.col(Next(down)), edges.col(Previous(down))};
+    const RectangleOverlap<S> overlap =
+        OverlapWithRectangle(seen, holder.half[Next(face.axis)], holder.half[Previous(face.axis)]);
+    for (int i = 0; i < overlap.size; ++i) {
+      const Vector3<S>& corner = overlap.corners[static_cast<std::size_t>(i)];
       const S height = corner.z() - radii_;
-      polygon.Add(is_1 ? Corner<S>{corner.x(), corner.y(), 0, height} : Corner<S>{corner.x(), corner.y(), -height, 0});
-    };
-    add(above + edge_a + edge_b);
-    add(above - edge_a + edge_b);
-    add(above - edge_a - edge_b);
-    add(above + edge_a - edge_b);
-    const Vector3<S> reach = edge_a.cwiseAbs() + edge_b.cwiseAbs();
-    CornerList<S>*current = &polygon, *next = &buffer;
-    const auto clip = [&](S Corner<S>::*coordinate, S middle_of_it, S reach_of_it, S limit) {
-      for (const S sign : {S(1), S(-1)}) {
-        if (sign * middle_of_it + reach_of_it <= limit) continue;
-        facing_faces_internal::Sides<S> sides;
-        for (int i = 0; i < current->size; ++i) {
-          sides[static_cast<std::size_t>(i)] = limit - sign * ((*current)[i].*coordinate);
-        }
-        if (facing_faces_internal::KeepInside(*current, sides, *next)) std::swap(current, next);
-      }
-    };
-    clip(&Corner<S>::x, above.x(), reach.x(), holder.half[Next(face.axis)]);
-    clip(&Corner<S>::y, above.y(), reach.y(), holder.half[Previous(face.axis)]);
-    for (int i = 0; i < current->size; ++i) facing.overlap.Add((*current)[i]);
+      facing.overlap.Add(is_1 ? Corner<S>{corner.x(), corner.y(), 0, height}
+                              : Corner<S>{corner.x(), corner.y(), -height, 0});
+    }
 
     facing.frame.axes.col(0) = side_u;
     facing.frame.axes.col(1) = side_v;

@@ -267,8 +267,8 @@ struct FacingFaces {
   }
 
   PatchFrame<S> frame;
-  SupportingFace<S> face_1, face_2;               ///< By FindFace().
-  CornerList<S> overlap;                          ///< Nothing of segments that cross, and of what is beside each other.
+  SupportingFace<S> face_1, face_2;  ///< By FindFace().
+  CornerList<S> overlap;  ///< In any order. Nothing of segments that cross, and of what is beside each other.
   bool is_across_1 = false, is_across_2 = false;  ///< Whether a face is a polygon across the normal, within rounding.
 };
 
