@@ -24,6 +24,7 @@
 #include "pair_order.h"
 #include "pair_patch.h"
 #include "pair_solver.h"
+#include "prefetch.h"
 #include "resting_pair.h"
 #include "shape_adapter.h"
 #include "shape_sweep.h"
@@ -80,15 +81,6 @@ void Swap(dgd::ContactPatch<double>& patch, dgd::Result<double>& result) {
     std::swap(point.on_1, point.on_2);
   }
   result.normal = -result.normal;
-}
-
-/// Has memory bring what will be read, and most often written to.
-template <bool kForWriting = true>
-void Prefetch(const void* begin, std::size_t size) {
-  constexpr std::size_t kLine = 64;
-  for (std::size_t at = 0; at < size; at += kLine) {
-    __builtin_prefetch(static_cast<const char*>(begin) + at, kForWriting ? 1 : 0);
-  }
 }
 
 /// The app's own word on which bodies are worth a sweep.
@@ -148,8 +140,7 @@ void ConvexConvexAlgorithm::PrefetchNext(const btCollisionObjectWrapper& body_0,
   if (next.contacts != nullptr) Prefetch(next.contacts, MANIFOLD_CACHE_SIZE * sizeof(btManifoldPoint));
   Prefetch(next.manifold_state, 1);
   // Other threads read them, too.
-  constexpr bool kForWriting = false;
-  for (const void* body : next.bodies) Prefetch<kForWriting>(body, sizeof(btCollisionObject));
+  for (const void* body : next.bodies) PrefetchToRead(body, sizeof(btCollisionObject));
 }
 
 bool ConvexConvexAlgorithm::HasManifold(const btCollisionObjectWrapper* body_0,
@@ -197,6 +188,9 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObj
   if (is_swapped) std::swap(body_0, body_1);
   const bool is_other_order = std::exchange(was_swapped_, is_swapped) != is_swapped;
   if (is_other_order) std::swap(hull_0_, hull_1_);
+  for (const auto& hull : {&hull_0_, &hull_1_}) {
+    if (*hull != nullptr) (*hull)->Prefetch();
+  }
   Query query(narrowphase_, *body_0, hull_0_, *body_1, hull_1_);
   Recall(is_other_order, query.shape_a.pose, query.shape_b.pose);
   const btCollisionObject &object_a = *body_0->getCollisionObject(), &object_b = *body_1->getCollisionObject();

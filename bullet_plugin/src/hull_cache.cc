@@ -8,6 +8,7 @@
 #include <cstring>
 #include <mutex>
 
+#include "prefetch.h"
 #include "shape_points.h"
 
 namespace dgd_bullet {
@@ -59,6 +60,19 @@ bool CachedHull::Matches(const btConvexShape& shape) const {
     if (!(points[i] == points_[static_cast<std::size_t>(i)])) return false;
   }
   return true;
+}
+
+void CachedHull::Prefetch() const {
+  const dgd::ConvexHull& hull = core_.Hull();
+  // Of a large one, little of it is read.
+  if (hull.vertices.size() > dgd::kMostScannedVertices) return;
+  const auto prefetch = [](const auto& array) { PrefetchToRead(array.data(), array.size() * sizeof(array[0])); };
+  prefetch(hull.vertex_start);
+  prefetch(hull.vertex_facets);
+  prefetch(hull.normals);
+  prefetch(hull.facet_start);
+  prefetch(hull.facet_vertices);
+  prefetch(hull.vertices);
 }
 
 std::shared_ptr<const CachedHull> HullCache::Find(const btConvexShape& shape) {

@@ -29,6 +29,10 @@ class CachedHull {
 
   const dgd::Polytope<double>& Core() const { return core_; }
 
+  /// Has memory bring what a query of a small hull reads: which facet is under a contact takes six reads that each tell
+  /// where the next is. A tenth of the time of heaps that no cache holds.
+  void Prefetch() const;
+
  private:
   const btConvexShape* shape_;
   int count_;

@@ -1,0 +1,28 @@
+// Has memory bring what will be read soon, while something else is worked on.
+#pragma once
+
+#include <cstddef>
+
+namespace dgd_bullet {
+
+namespace prefetch_internal {
+
+template <bool kForWriting>
+void PrefetchLines(const void* begin, std::size_t bytes) {
+  constexpr std::size_t kLine = 64;
+  for (std::size_t at = 0; at < bytes; at += kLine) {
+    __builtin_prefetch(static_cast<const char*>(begin) + at, kForWriting ? 1 : 0);
+  }
+}
+
+}  // namespace prefetch_internal
+
+/// What will most often be written to. There may be nothing at the address.
+inline void Prefetch(const void* begin, std::size_t bytes) { prefetch_internal::PrefetchLines<true>(begin, bytes); }
+
+/// What other threads may read as well.
+inline void PrefetchToRead(const void* begin, std::size_t bytes) {
+  prefetch_internal::PrefetchLines<false>(begin, bytes);
+}
+
+}  // namespace dgd_bullet
