@@ -30,14 +30,17 @@ struct AcrossAxes {
   int x, y;
 };
 
-/// A direction of the frame that FromBullet() gives a pose with this up axis, in Bullet's own.
+/// A direction of the frame that FromBullet() gives a pose with this up axis, in Bullet's own. By value: coordinates
+/// stored one by one at AcrossAxes would be waited for, as above.
 inline btVector3 InBulletAxes(const Vector3& v, int up_axis) {
-  const auto [x, y] = AcrossAxes(up_axis);
-  btVector3 in_bullet;
-  in_bullet[x] = btScalar(v.x());
-  in_bullet[y] = btScalar(v.y());
-  in_bullet[up_axis] = btScalar(v.z());
-  return in_bullet;
+  switch (up_axis) {
+    case 0:
+      return ToBullet({v.z(), v.x(), v.y()});
+    case 1:
+      return ToBullet({v.y(), v.z(), v.x()});
+    default:
+      return ToBullet(v);
+  }
 }
 
 /// In Bullet's precision, and not above.
