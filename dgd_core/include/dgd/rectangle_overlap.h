@@ -46,7 +46,7 @@ using Four = Eigen::Array<S, 4, 1>;
 template <class S>
 void AddSides(const Parallelogram<S>& shape, S half_x, S half_y, RectangleOverlap<S>& overlap) {
   using Sides = Four<S>;
-  const auto& [m, a, b] = shape;
+  const Vector3<S>&m = shape.middle, &a = shape.half_a, &b = shape.half_b;
   // Where each side begins, and the way to its end.
   const auto begins = [&](int axis) -> Sides {
     const S sum = a[axis] + b[axis], difference = a[axis] - b[axis];
@@ -83,7 +83,7 @@ void AddSides(const Parallelogram<S>& shape, S half_x, S half_y, RectangleOverla
 template <class S>
 void AddCorners(const Parallelogram<S>& shape, S half_x, S half_y, RectangleOverlap<S>& overlap) {
   using Corners = Four<S>;
-  const auto& [m, a, b] = shape;
+  const Vector3<S>&m = shape.middle, &a = shape.half_a, &b = shape.half_b;
   const Corners x(half_x, -half_x, -half_x, half_x), y(half_y, half_y, -half_y, -half_y);
   // Times the area.
   const Corners along_a = (x - m.x()) * b.y() - (y - m.y()) * b.x();
