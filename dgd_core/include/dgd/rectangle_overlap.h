@@ -74,8 +74,9 @@ void AddSides(const Parallelogram<S>& shape, S half_x, S half_y, RectangleOverla
     overlap.AddIf(from[i] <= to[i], from_x[i], from_y[i], from_z[i]);
     // An end that is inside is where the next side begins, if rounding says so, too.
     const int next = (i + 1) % 4;
-    const bool is_next = (to[i] == 1) & (from[next] == 0) & (to[next] >= 0);
-    overlap.AddIf((from[i] < to[i]) & !is_next, to_x[i], to_y[i], to_z[i]);
+    const bool is_whole = to[i] == 1, next_is_from_start = from[next] == 0, next_is_inside = to[next] >= 0;
+    const bool is_next = is_whole & next_is_from_start & next_is_inside, has_length = from[i] < to[i];
+    overlap.AddIf(has_length & !is_next, to_x[i], to_y[i], to_z[i]);
   }
 }
 
@@ -99,8 +100,8 @@ void AddCorners(const Parallelogram<S>& shape, S half_x, S half_y, RectangleOver
   const S reach_a = std::abs(area) + kRounding * (far_x * std::abs(b.y()) + far_y * std::abs(b.x()));
   const S reach_b = std::abs(area) + kRounding * (far_y * std::abs(a.x()) + far_x * std::abs(a.y()));
   for (int i = 0; i < 4; ++i) {
-    const bool is_inside = (std::abs(along_a[i]) <= reach_a) & (std::abs(along_b[i]) <= reach_b) & !is_flat;
-    overlap.AddIf(is_inside, x[i], y[i], z[i]);
+    const bool is_inside_a = std::abs(along_a[i]) <= reach_a, is_inside_b = std::abs(along_b[i]) <= reach_b;
+    overlap.AddIf(is_inside_a & is_inside_b & !is_flat, x[i], y[i], z[i]);
   }
 }
 
