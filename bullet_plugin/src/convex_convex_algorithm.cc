@@ -135,10 +135,10 @@ void ConvexConvexAlgorithm::PrefetchNext(const btCollisionObjectWrapper& body_0,
   if (manifold_ != nullptr) now.manifold_state = &manifold_->m_companionIdA;
   const VisitingOrder::Visited next = VisitingOrder::OfThisThread().Visit(now, place_);
   if (next.pair == nullptr) return;
-  Prefetch(next.pair, sizeof(ConvexConvexAlgorithm));
-  if (next.resting != nullptr) Prefetch(next.resting, sizeof(RestingPair));
-  if (next.contacts != nullptr) Prefetch(next.contacts, MANIFOLD_CACHE_SIZE * sizeof(btManifoldPoint));
-  Prefetch(next.manifold_state, 1);
+  PrefetchToWrite(next.pair, sizeof(ConvexConvexAlgorithm));
+  if (next.resting != nullptr) PrefetchToWrite(next.resting, sizeof(RestingPair));
+  if (next.contacts != nullptr) PrefetchToWrite(next.contacts, MANIFOLD_CACHE_SIZE * sizeof(btManifoldPoint));
+  PrefetchToWrite(next.manifold_state, 1);
   // Other threads read them, too.
   for (const void* body : next.bodies) PrefetchToRead(body, sizeof(btCollisionObject));
 }
@@ -232,7 +232,7 @@ Footing ConvexConvexAlgorithm::FootingOfContacts() const {
   constexpr int kFewest = 3;
   if (manifold_->getNumContacts() < kFewest) return {};
   // Where edges of two faces cross that are nearly parallel, the normal is neither's, and turns with both.
-  return {face_holder_ != dgd::FaceHolder::kNone ? face_holder_ : dgd::FaceHolder::kSet1, *manifold_};
+  return FootingOn(face_holder_ != dgd::FaceHolder::kNone ? face_holder_ : dgd::FaceHolder::kSet1, *manifold_);
 }
 
 bool ConvexConvexAlgorithm::IsCalm(const PairMotion& motion, const Footing& footing) const {

@@ -16,6 +16,7 @@ void FindFacingFaces(const PosedShape& shape_a, const PosedShape& shape_b, const
 
 dgd::ContactPatch<double> FindPatch(const dgd::Result<double>& result, const dgd::FacingFaces<double>& facing,
                                     const dgd::PatchSettings<double>& settings, const PairMotion& motion) {
+  // Most often not, and then no corner's own speed is looked at.
   const bool may_meet = motion.MayApproachBy(settings.contact_distance, result.normal);
   const auto is_approaching = [&](const Vector3& point, double separation) {
     return may_meet && separation <= motion.Approach(point, result.normal);

@@ -1,4 +1,5 @@
-// Has memory bring what will be read soon, while something else is worked on.
+// Has memory bring what will be used soon, while something else is worked on. There may be nothing at the address any
+// more.
 #pragma once
 
 #include <cstddef>
@@ -7,18 +8,21 @@ namespace dgd_bullet {
 
 namespace prefetch_internal {
 
-template <bool kForWriting>
+/// @tparam kToWrite  The processor's instruction is another one.
+template <bool kToWrite>
 void PrefetchLines(const void* begin, std::size_t bytes) {
   constexpr std::size_t kLine = 64;
   for (std::size_t at = 0; at < bytes; at += kLine) {
-    __builtin_prefetch(static_cast<const char*>(begin) + at, kForWriting ? 1 : 0);
+    __builtin_prefetch(static_cast<const char*>(begin) + at, kToWrite ? 1 : 0);
   }
 }
 
 }  // namespace prefetch_internal
 
-/// What will most often be written to. There may be nothing at the address.
-inline void Prefetch(const void* begin, std::size_t bytes) { prefetch_internal::PrefetchLines<true>(begin, bytes); }
+/// What most likely is written to.
+inline void PrefetchToWrite(const void* begin, std::size_t bytes) {
+  prefetch_internal::PrefetchLines<true>(begin, bytes);
+}
 
 /// What other threads may read as well.
 inline void PrefetchToRead(const void* begin, std::size_t bytes) {

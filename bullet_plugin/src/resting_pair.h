@@ -33,21 +33,16 @@ namespace dgd_bullet {
 /// left with (0.012 to 0.038 mm/s).
 constexpr double RestingDistance(double breaking_threshold) { return 1e-3 * breaking_threshold; }
 
-/// What contacts lie on.
+/// What contacts lie on: a face of a body, or none.
 struct Footing {
-  /// On no face.
-  Footing() = default;
-
-  /// @param holder    Whose face it is that the contacts' normal turns with.
-  /// @param manifold  With three contacts or more.
-  Footing(dgd::FaceHolder holder, const btPersistentManifold& manifold);
-
-  dgd::FaceHolder holder = dgd::FaceHolder::kNone;
-  /// How far the bodies may go against each other before the contacts are found anew, metres: 1.6 mm for large ones, or
-  /// less where the surfaces are not as good as parallel, so that no distance changes by more than 10 micrometres on
-  /// the way.
+  dgd::FaceHolder holder = dgd::FaceHolder::kNone;  ///< Whose face it is that the contacts' normal turns with.
+  /// How far the bodies may go against each other before the contacts are found anew, metres.
   double max_drift = 0;
 };
+
+/// The footing of three contacts or more on a holder's face. Its drift is 1.6 mm for large bodies, or less where the
+/// surfaces are not as good as parallel, so that no distance changes by more than 10 micrometres on the way.
+Footing FootingOn(dgd::FaceHolder holder, const btPersistentManifold& manifold);
 
 /// A pair as it was when its contacts were found. The two bodies in the order that they are solved in.
 class RestingPair {

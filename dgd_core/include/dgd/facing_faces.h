@@ -119,17 +119,22 @@ class ProjectedFace {
   bool is_polygon_ = false;
 };
 
-/// On which side of a line each corner is, and how far, in any unit: inside if not negative.
-template <class S>
-using Sides = std::array<S, CornerList<S>::kCapacity>;
-
-/// Keeps the part of `subject` (polygon, segment or point) that is inside (Sutherland-Hodgman).
+/// Keeps the part of `subject` (polygon, segment or point) on the inner side of the line from a to b
+/// (Sutherland-Hodgman).
+/// @param orientation  +1 if the clipping polygon runs counterclockwise, -1 if clockwise.
 /// @return false, and `clipped` is left as it was, if that is all of it.
 template <class S>
-bool KeepInside(const CornerList<S>& subject, const Sides<S>& sides, CornerList<S>& clipped) {
-  // Without a branch for each.
+bool ClipByLine(const Vector3<S>& a, const Vector3<S>& b, S orientation, const CornerList<S>& subject,
+                CornerList<S>& clipped) {
+  const S dx = orientation * (b.x() - a.x()), dy = orientation * (b.y() - a.y());
+  // In any unit; inside if not negative.
+  std::array<S, CornerList<S>::kCapacity> sides;
   bool is_inside = true;
-  for (int i = 0; i < subject.size; ++i) is_inside &= sides[static_cast<std::size_t>(i)] >= 0;
+  for (int i = 0; i < subject.size; ++i) {
+    const S side = dx * (subject[i].y - a.y()) - dy * (subject[i].x - a.x());
+    sides[static_cast<std::size_t>(i)] = side;
+    is_inside &= side >= 0;  // Without a branch for each.
+  }
   if (is_inside) return false;
   clipped.size = 0;
   const bool closed = subject.size > 2;
@@ -149,20 +154,6 @@ bool KeepInside(const CornerList<S>& subject, const Sides<S>& sides, CornerList<
     }
   }
   return true;
-}
-
-/// Keeps the part of `subject` on the inner side of the line from a to b.
-/// @param orientation  +1 if the clipping polygon runs counterclockwise, -1 if clockwise.
-/// @return as KeepInside().
-template <class S>
-bool ClipByLine(const Vector3<S>& a, const Vector3<S>& b, S orientation, const CornerList<S>& subject,
-                CornerList<S>& clipped) {
-  const S dx = orientation * (b.x() - a.x()), dy = orientation * (b.y() - a.y());
-  Sides<S> sides;
-  for (int i = 0; i < subject.size; ++i) {
-    sides[static_cast<std::size_t>(i)] = dx * (subject[i].y - a.y()) - dy * (subject[i].x - a.x());
-  }
-  return KeepInside(subject, sides, clipped);
 }
 
 /// The overlap of a face (polygon, segment or point) with a polygon. `subject_is_1` tells whose heights the subject

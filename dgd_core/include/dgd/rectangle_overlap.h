@@ -16,14 +16,17 @@
 
 namespace dgd {
 
-/// A parallelogram in space: its middle, and half of two neighbouring sides.
+/// A parallelogram in space: its middle, and half of two neighbouring sides, of any length, also 0. Metres; in a frame
+/// along whose z axis it is seen.
 template <class S>
 struct Parallelogram {
   Vector3<S> middle, half_a, half_b;
 };
 
+/// The corners of an overlap, in the parallelogram's frame, metres.
 template <class S>
 struct RectangleOverlap {
+  /// Two of each side, and the rectangle's four.
   static constexpr int kMaxCorners = 12;
 
   void AddIf(bool is_corner, S x, S y, S z) {
@@ -94,7 +97,8 @@ void AddCorners(const Parallelogram<S>& shape, S half_x, S half_y, RectangleOver
   const S per_area = 1 / (is_flat ? S(1) : area);
   const auto within = [](const Corners& along) -> Corners { return along.max(S(-1)).min(S(1)); };
   const Corners z = m.z() + within(along_a * per_area) * a.z() + within(along_b * per_area) * b.z();
-  // A corner that rounding left outside would be missed: its neighbours may have been, too.
+  // A corner that rounding leaves outside would be missed, for the sides that meet there may be left outside, too. Some
+  // of the last digits of each product.
   constexpr S kRounding = 16 * std::numeric_limits<S>::epsilon();
   const S far_x = half_x + std::abs(m.x()), far_y = half_y + std::abs(m.y());
   const S reach_a = std::abs(area) + kRounding * (far_x * std::abs(b.y()) + far_y * std::abs(b.x()));
@@ -109,8 +113,9 @@ void AddCorners(const Parallelogram<S>& shape, S half_x, S half_y, RectangleOver
 
 /// The part of a parallelogram that is seen inside a rectangle, along z: |x| <= half_x, |y| <= half_y. Its corners,
 /// some perhaps twice within rounding: those on the parallelogram's sides in order, then those of the rectangle.
-/// @param half_x, half_y  >= 0, in the parallelogram's unit.
-/// Raises no floating-point exception for sizes between the fourth roots of the type's limits.
+/// @param shape           Finite.
+/// @param half_x, half_y  Metres, finite, >= 0.
+/// Does not divide by zero, allocate or throw.
 template <class S>
 RectangleOverlap<S> OverlapWithRectangle(const Parallelogram<S>& shape, S half_x, S half_y) {
   RectangleOverlap<S> overlap;
