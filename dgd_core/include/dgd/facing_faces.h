@@ -48,12 +48,13 @@ void MoveFace(const Set& set, const Pose<typename Set::Scalar>& pose, const Vect
 }
 
 /// The supporting face of a posed set along a world direction, in the patch's frame and moved out by the set's radius.
+/// Not inlined: it is the same for all that a set may meet.
 /// @param face  Out; empty before.
 template <class Set>
-[[gnu::flatten]] void FindFace(const Set& set, const Pose<typename Set::Scalar>& pose,
-                               const Vector3<typename Set::Scalar>& direction,
-                               const PatchFrame<typename Set::Scalar>& frame,
-                               SupportingFace<typename Set::Scalar>& face) {
+[[gnu::flatten, gnu::noinline]] void FindFace(const Set& set, const Pose<typename Set::Scalar>& pose,
+                                              const Vector3<typename Set::Scalar>& direction,
+                                              const PatchFrame<typename Set::Scalar>& frame,
+                                              SupportingFace<typename Set::Scalar>& face) {
   set.core.SupportFace(pose.rotation.transpose() * direction, face);
   MoveFace(set, pose, direction, frame, face);
 }

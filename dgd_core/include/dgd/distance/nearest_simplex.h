@@ -22,9 +22,11 @@ S WeightOfSecond(const Vector3<S>& a, const Vector3<S>& b) {
 }
 
 /// Convex weights of the point of triangle (a, b, c) nearest to the origin; the triangle may be degenerate. On a sliver
-/// the inside's weights have lost their digits, and a side may be nearer: there all are tried.
+/// the inside's weights have lost their digits, and a side may be nearer: there all are tried. Not inlined: it is long,
+/// and the same for all sets.
 template <class S>
-std::array<S, 3> WeightsOfNearest(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c) {
+[[gnu::flatten, gnu::noinline]] std::array<S, 3> WeightsOfNearest(const Vector3<S>& a, const Vector3<S>& b,
+                                                                  const Vector3<S>& c) {
   const std::array<const Vector3<S>*, 3> corners{&a, &b, &c};
   std::array<S, 3> nearest{};
   S least = std::numeric_limits<S>::infinity();
