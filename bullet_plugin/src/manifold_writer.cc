@@ -49,24 +49,20 @@ struct BulletPatch {
     const int cached = manifold.getNumContacts();
     const btTransform& pose_a = manifold.getBody0()->getWorldTransform();
     const btScalar threshold = manifold.getContactBreakingThreshold();
-    std::array<btScalar, MANIFOLD_CACHE_SIZE> out_of_reach{};  // Of the points that are continued.
     for (int i = 0; i < size; ++i) {
       Contact& contact = contacts[static_cast<std::size_t>(i)];
       contact.on_a_in_body = pose_a.invXform(contact.on_a);
       btScalar nearest_sq = threshold * threshold;
       int nearest = kNew;
       for (int j = 0; j < cached; ++j) {
-        // Without a branch, in terms that compilers leave so: which one is the nearest is another one for each point.
-        const btScalar distance_sq = (manifold.getContactPoint(j).m_localPointA - contact.on_a_in_body).length2() +
-                                     out_of_reach[static_cast<std::size_t>(j)];
-        const int replaces = -static_cast<int>(distance_sq < nearest_sq);
-        nearest = (nearest & ~replaces) | (j & replaces);
-        nearest_sq = std::min(nearest_sq, distance_sq);
+        if (is_continued[static_cast<std::size_t>(j)]) continue;
+        const btScalar distance_sq = (manifold.getContactPoint(j).m_localPointA - contact.on_a_in_body).length2();
+        if (!(distance_sq < nearest_sq)) continue;
+        nearest_sq = distance_sq;
+        nearest = j;
       }
       contact.continued = nearest;
-      if (nearest == kNew) continue;
-      is_continued[static_cast<std::size_t>(nearest)] = true;
-      out_of_reach[static_cast<std::size_t>(nearest)] = btScalar(SIMD_INFINITY);
+      if (nearest != kNew) is_continued[static_cast<std::size_t>(nearest)] = true;
     }
   }
 
