@@ -124,6 +124,18 @@ SupportPoint<typename Core::Scalar, kDimension<Core>> GuessSupport(const Core& c
   }
 }
 
+/// A core of many vertices that knows which of them are next to each other. A plane that lies on the core along an edge
+/// and turns about that (gift wrapping) meets next what the steepest way leads to.
+///  * SteepestAscent(v, up, outwards): of the vertices next to v that are farther along `outwards`, the one to which
+///  the
+///    way rises most along `up` for each step outwards. The two are across each other, finite, of any length.
+///  * IsLinked(): whether it knows.
+template <class Core>
+concept LinkedCore = VertexCore<Core> && requires(const Core& core, VertexId vertex, const VectorOf<Core>& direction) {
+  { core.SteepestAscent(vertex, direction, direction) } -> std::same_as<Ascent<typename Core::Scalar>>;
+  { core.IsLinked() } -> std::convertible_to<bool>;
+};
+
 /// A core that knows about how far it reaches in which direction: a cold query of a curved set begins with a normal
 /// that is guessed from this.
 ///  * Spread(): a symmetric, positive semidefinite matrix M, full or diagonal; core's frame, metres squared. About
@@ -211,6 +223,11 @@ class CoreReference {
     return core_->GuessSupport(direction);
   }
   bool IsGuessing() const requires GuessingCore<CoreType> { return core_->IsGuessing(); }
+  auto SteepestAscent(VertexId vertex, const VectorOf<CoreType>& up,
+                      const VectorOf<CoreType>& outwards) const requires LinkedCore<CoreType> {
+    return core_->SteepestAscent(vertex, up, outwards);
+  }
+  bool IsLinked() const requires LinkedCore<CoreType> { return core_->IsLinked(); }
   decltype(auto) Spread() const requires SpreadCore<CoreType> { return core_->Spread(); }
   Scalar SupportValue(const VectorOf<CoreType>& direction) const { return core_->SupportValue(direction); }
   Scalar Distance(const VectorOf<CoreType>& point) const { return core_->Distance(point); }

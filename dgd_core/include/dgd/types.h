@@ -53,6 +53,13 @@ struct SupportPoint {
   FeatureId feature = kNoFeature;
 };
 
+/// A way from a vertex to one next to it.
+template <class Scalar>
+struct Ascent {
+  VertexId vertex;  ///< Where it leads.
+  Scalar slope;     ///< How far it rises on the way outwards; minus infinity if no way leads outwards.
+};
+
 /// A flat disc on a core's boundary: the cap of a cylinder, the base of a cone. In the core's frame.
 template <class Scalar>
 struct FlatDisc {

@@ -111,7 +111,7 @@ TEST(FacetWalk, RoundedHulls_MostlyAre) {
 }
 
 TEST(FacetWalk, MeshesWhoseFacetsAreSmallerThanTheMotion_AreReachedBySteps) {
-  EXPECT_GT(ShareAnswered<dgd::Mesh<double>>(1000, 0, 0.01), 0.65);
+  EXPECT_GT(ShareAnswered<dgd::Mesh<double>>(1000, 0, 0.01), 0.99);
 }
 
 /// @param most_infeasible  Metres.

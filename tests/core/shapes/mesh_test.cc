@@ -1,6 +1,8 @@
 #include "dgd/shapes/mesh.h"
 
+#include <algorithm>
 #include <numbers>
+#include <span>
 
 #include "dgd/shapes/box.h"
 #include "dgd/shapes/transformed.h"
@@ -157,6 +159,44 @@ TEST(Mesh, GuessSupport_IsAVertexAboutAsHighAsAny) {
     EXPECT_GE(guess.point.dot(direction), 0.97 * mesh.SupportValue(direction));
     EXPECT_EQ(dgd::GuessSupport(moved, direction).point, 2 * guess.point + Vector3d(1, 2, 3));
   }
+}
+
+// What a plane that turns about an edge meets first is the facet beside. Through what stands between a core and a
+// query, too.
+TEST(Mesh, SteepestAscent_LeadsToTheFacetBeside) {
+  Random random(TestSeed());
+  Points points;
+  for (int i = 0; i < 300; ++i) points.push_back(Vector3d(1, 0.5, 0.2).cwiseProduct(random.UnitVector()));
+  const dgd::Mesh<double> mesh(points);
+  const dgd::CoreReference<dgd::Mesh<double>> reference(mesh);
+  const Eigen::Matrix3d stretch = Vector3d(1, 2, 3).asDiagonal();
+  const dgd::Transformed<dgd::CoreReference<dgd::Mesh<double>>> moved(reference, stretch, Vector3d(1, 2, 3));
+  EXPECT_TRUE(mesh.IsLinked() && reference.IsLinked() && moved.IsLinked());
+  EXPECT_FALSE(dgd::Polytope<double>(Points(points.begin(), points.begin() + 20)).IsLinked());
+  const dgd::ConvexHull& hull = mesh.Hull();
+  for (std::size_t facet = 0; facet < hull.normals.size(); ++facet) {
+    const std::span<const dgd::VertexId> corners(hull.facet_vertices.data() + hull.facet_start[facet],
+                                                 hull.facet_vertices.data() + hull.facet_start[facet + 1]);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const dgd::VertexId from = corners[i], to = corners[(i + 1) % corners.size()];
+      const Vector3d begin = mesh.Vertex(from), side = mesh.Vertex(to) - begin, up = hull.normals[facet];
+      Vector3d outwards = side.cross(up);
+      if (outwards.dot(mesh.Vertex(corners[(i + 2) % corners.size()]) - begin) > 0) outwards = -outwards;
+
+      const dgd::Ascent<double> ascent = reference.SteepestAscent(from, up, outwards);
+      ASSERT_LT(ascent.vertex, mesh.VertexCount());
+      EXPECT_LT(ascent.slope, 1e-9);
+      EXPECT_EQ(std::count(corners.begin(), corners.end(), ascent.vertex), 0);
+      Vector3d beside = side.cross(mesh.Vertex(ascent.vertex) - begin).normalized();
+      if (beside.dot(begin) < 0) beside = -beside;
+      EXPECT_NEAR(mesh.SupportValue(beside), beside.dot(begin), 1e-13);
+
+      const Eigen::Matrix3d back = stretch.inverse();
+      EXPECT_EQ(moved.SteepestAscent(from, back * up, back * outwards).vertex, ascent.vertex);
+    }
+  }
+  EXPECT_EQ(mesh.SteepestAscent(0, Vector3d::UnitZ(), Vector3d::Zero()).slope,
+            -std::numeric_limits<double>::infinity());
 }
 
 TEST(Mesh, SupportFace_KeepsTheSupportPointOfALargeFacet) {

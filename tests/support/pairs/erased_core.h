@@ -23,6 +23,8 @@ class CoreQuestions {
   virtual dgd::SupportPoint<S, L> Support(const Point& direction, dgd::FeatureId hint) const = 0;
   virtual dgd::SupportPoint<S, L> GuessSupport(const Point& direction) const = 0;
   virtual bool IsGuessing() const = 0;
+  virtual dgd::Ascent<S> SteepestAscent(dgd::VertexId vertex, const Point& up, const Point& outwards) const = 0;
+  virtual bool IsLinked() const = 0;
   virtual Point Center() const = 0;
   virtual S Inradius() const = 0;
   virtual dgd::SquareMatrix<S, L> Spread() const = 0;
@@ -58,6 +60,18 @@ class CoreAnswers final : public CoreQuestions<typename Core::Scalar, dgd::kDime
     return dgd::GuessSupport(core_, direction);
   }
   bool IsGuessing() const override { return dgd::IsGuessing(core_); }
+  dgd::Ascent<S> SteepestAscent([[maybe_unused]] dgd::VertexId vertex, [[maybe_unused]] const Point& up,
+                                [[maybe_unused]] const Point& outwards) const override {
+    if constexpr (dgd::LinkedCore<Core>) {
+      return core_.SteepestAscent(vertex, up, outwards);
+    } else {
+      return {};
+    }
+  }
+  bool IsLinked() const override {
+    if constexpr (dgd::LinkedCore<Core>) return core_.IsLinked();
+    return false;
+  }
   Point Center() const override { return core_.Center(); }
   S Inradius() const override { return core_.Inradius(); }
   dgd::SquareMatrix<S, L> Spread() const override { return dgd::SpreadOf(core_); }
@@ -132,6 +146,11 @@ class ErasedVertexCore : public ErasedCore<S, L> {
     return this->Core().GuessSupport(direction);
   }
   bool IsGuessing() const { return this->Core().IsGuessing(); }
+  dgd::Ascent<S> SteepestAscent(dgd::VertexId vertex, const dgd::Vector<S, L>& up,
+                                const dgd::Vector<S, L>& outwards) const {
+    return this->Core().SteepestAscent(vertex, up, outwards);
+  }
+  bool IsLinked() const { return this->Core().IsLinked(); }
 };
 
 template <class S, int L>

@@ -11,7 +11,8 @@
 //
 // Two ways to begin:
 //  * Where the last query ended. From frame to frame most pairs keep their facet, or leave by one nearby; where the ray
-//    passes beside it, a point beyond the side that it crosses takes a corner's place.
+//    passes beside it, a point beyond the side that it crosses takes a corner's place: that of the facet beyond, where
+//    both cores know their edges (LinkedCore).
 //  * Anew, in the ball about the centre that is inside the cores' difference (Alg. 1), and from three directions about
 //    the ray. Of two of them, and of the ball, a check may be told enough. Of large hulls, no support function is asked
 //    while points that are looked up (GuessingCore) are above the triangle.
@@ -39,9 +40,9 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
   using Point = Vector3<S>;
   static_assert(Difference::kIsPolytope && Difference::L == 3);
 
-  /// Evaluations of the support functions at most. From the last facet, by measurement: with half as many, warm queries
-  /// of hulls of 2000 vertices take 1.4 times as long on average. Anew, meshes of up to 4516 vertices take 27 in one of
-  /// a hundred queries if no points are looked up.
+  /// Evaluations of the support functions at most, and steps to facets beside. From the last facet, by measurement:
+  /// with half as many, warm queries of hulls of 2000 vertices take 1.4 times as long on average. Anew, meshes of up to
+  /// 4516 vertices take 27 in one of a hundred queries if no points are looked up.
   static constexpr int kMostFromLast = 8;
   static constexpr int kMostAnew = 32;
 
@@ -239,9 +240,12 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
     for (;;) {
       if (iterations_ >= kMostFromLast || !StepOver(static_cast<std::size_t>(beside))) return false;
       FindPlane();
-      if (!IsSound()) return false;
+      // Between here and there facets may be thin.
+      if (!(height_ > 0 && along_ > 0)) return false;
       beside = CornerAcross();
-      if (beside < 0) return is_weighed_ = true;
+      if (beside >= 0) continue;
+      is_weighed_ = IsSound();
+      return true;
     }
   }
 
@@ -371,9 +375,34 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
     return End::kApart;
   }
 
-  /// To a triangle beyond the side across from a corner: of the side, and a point that is farthest along the normal
-  /// tilted towards there.
+  /// To a triangle beyond the side across from a corner: of the side, and another corner.
+  /// @return false if none is found.
   bool StepOver(std::size_t corner) {
+    if constexpr (LinkedCore<typename Set1::Core> && LinkedCore<typename Set2::Core>) {
+      if (set_1_.core.IsLinked() && set_2_.core.IsLinked()) return Pivot(corner);
+    }
+    return Tilt(corner);
+  }
+
+  /// The other corner is what the plane, turned about the side, meets next: on one of the two cores. By measurement,
+  /// warm queries of hulls of 241 to 4516 vertices take a third less time than with Tilt().
+  bool Pivot(std::size_t corner) {
+    ++iterations_;
+    const Corner& from = corners_[(corner + 1) % 3];
+    const Point outwards = (corners_[(corner + 2) % 3].point - from.point).cross(normal_);
+    const Ascent<S> way_1 = set_1_.core.SteepestAscent(from.feature_1, pose_1_.rotation.transpose() * normal_,
+                                                       pose_1_.rotation.transpose() * outwards);
+    const Ascent<S> way_2 = set_2_.core.SteepestAscent(from.feature_2, pose_2_.rotation.transpose() * -normal_,
+                                                       pose_2_.rotation.transpose() * -outwards);
+    const bool is_1 = way_1.slope > way_2.slope;
+    if (!((is_1 ? way_1 : way_2).slope > -std::numeric_limits<S>::infinity())) return false;
+    const FeatureId feature_1 = is_1 ? way_1.vertex : from.feature_1, feature_2 = is_1 ? from.feature_2 : way_2.vertex;
+    corners_[corner] = {FromCenter1(feature_1) - FromCenter2(feature_2), feature_1, feature_2};
+    return true;
+  }
+
+  /// The other corner is farthest along the normal tilted towards there.
+  bool Tilt(std::size_t corner) {
     const Point &a = corners_[(corner + 1) % 3].point, &b = corners_[(corner + 2) % 3].point;
     const Point outwards = b.cross(a);
     const Point side = b - a;

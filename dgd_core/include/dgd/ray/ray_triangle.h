@@ -148,8 +148,9 @@ struct RayTriangle {
   }
 
   /// Twice the area over the longest side's square, and the normal's cosine to the ray. By their inverses, rounding is
-  /// magnified.
-  static constexpr S kFat = S(0.05), kFlat = S(0.05);
+  /// magnified: by measurement, of scanned objects' hulls, growth distances are off by 3e-15 at most, relative, as with
+  /// 0.05 for both; with a tenth of kFat, by 2e-14.
+  static constexpr S kFat = S(0.01), kFlat = S(0.05);
 
   const Point ray_;
   const S radius_;

@@ -47,6 +47,11 @@ class Polytope {
     return {Vertex(vertex), vertex};
   }
   bool IsGuessing() const { return !climb_.IsEmpty(); }
+  /// See LinkedCore. @pre IsLinked().
+  Ascent<S> SteepestAscent(VertexId vertex, const Vector3<S>& up, const Vector3<S>& outwards) const {
+    return climb_.SteepestAscent(vertex, up, outwards);
+  }
+  bool IsLinked() const { return !climb_.IsEmpty(); }
   const Vector3<S>& Center() const { return center_; }
   S Inradius() const { return inradius_; }
   /// See SpreadCore.

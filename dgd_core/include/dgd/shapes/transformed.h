@@ -70,6 +70,12 @@ class Transformed {
     return Image(core_.GuessSupport(DirectionInCore(direction)));
   }
   bool IsGuessing() const requires GuessingCore<CoreType> { return core_.IsGuessing(); }
+  /// See LinkedCore: what rises and leads outwards here does so there.
+  Ascent<S> SteepestAscent(VertexId vertex, const VectorS& up,
+                           const VectorS& outwards) const requires LinkedCore<CoreType> {
+    return core_.SteepestAscent(vertex, DirectionInCore(up), DirectionInCore(outwards));
+  }
+  bool IsLinked() const requires LinkedCore<CoreType> { return core_.IsLinked(); }
   VectorS Center() const { return Image(VectorS(core_.Center())); }
   S Inradius() const { return inradius_; }
   /// See SpreadCore.

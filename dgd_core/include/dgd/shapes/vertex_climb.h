@@ -51,6 +51,23 @@ class VertexClimb {
     return vertex;
   }
 
+  /// See LinkedCore. @pre !IsEmpty(), and a vertex.
+  Ascent<S> SteepestAscent(VertexId vertex, const Vector3<S>& up, const Vector3<S>& outwards) const {
+    // The edge itself that a plane turns about leads outwards by rounding only, and its slope is any number.
+    constexpr S kLeastSq = S(16) * std::numeric_limits<S>::epsilon();
+    const S least_sq = kLeastSq * outwards.squaredNorm();
+    Ascent<S> steepest{vertex, -std::numeric_limits<S>::infinity()};
+    const Links& links = links_[vertex];
+    for (std::uint32_t i = links.begin; i < links.end; ++i) {
+      const Neighbour& neighbour = neighbours_[i];
+      const Vector3<S> way = neighbour.offset - offsets_[vertex];
+      const S out = outwards.dot(way), rise = up.dot(way);
+      if (!(out > 0 && rise > steepest.slope * out && out * out > least_sq * way.squaredNorm())) continue;
+      steepest = {neighbour.vertex, rise / out};
+    }
+    return steepest;
+  }
+
  private:
   /// With its coordinates about the centre, so that a step of the walk reads one stretch of memory.
   struct Neighbour {
