@@ -23,9 +23,12 @@ inline Vector3 FromBullet(const btVector3& v) {
 
 inline btVector3 ToBullet(const Vector3& v) { return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())}; }
 
+/// The up axis of a set whose frame is the Bullet shape's own.
+constexpr int kZAxis = 2;
+
 /// The two axes that follow Bullet's axis `up_axis` cyclically.
 struct AcrossAxes {
-  explicit AcrossAxes(int up_axis) : x(up_axis == 2 ? 0 : up_axis + 1), y(x == 2 ? 0 : x + 1) {}
+  explicit AcrossAxes(int up_axis) : x(up_axis == kZAxis ? 0 : up_axis + 1), y(x == kZAxis ? 0 : x + 1) {}
 
   int x, y;
 };
@@ -51,7 +54,7 @@ inline btScalar RoundDown(double value) {
 
 /// The pose of a set whose z axis is Bullet's axis `up_axis`: the columns that follow it cyclically come first. Filled
 /// in place: copying a matrix whose numbers were just stored one by one waits for all of them.
-inline Pose FromBullet(const btTransform& transform, int up_axis) {
+inline Pose FromBullet(const btTransform& transform, int up_axis = kZAxis) {
   const btMatrix3x3& basis = transform.getBasis();
   const auto [x, y] = AcrossAxes(up_axis);
   Pose pose;

@@ -235,12 +235,6 @@ Footing ConvexConvexAlgorithm::FootingOfContacts() const {
   return FootingOn(face_holder_ != dgd::FaceHolder::kNone ? face_holder_ : dgd::FaceHolder::kSet1, *manifold_);
 }
 
-bool ConvexConvexAlgorithm::IsCalm(const PairMotion& motion, const Footing& footing) const {
-  return motion.IsWithin(RestingDistance(double(manifold_->getContactBreakingThreshold()))) ||
-         (footing.holder != dgd::FaceHolder::kNone &&
-          motion.IsTogetherWithin(FromBullet(manifold_->getContactPoint(0).m_positionWorldOnB), footing.max_drift));
-}
-
 void ConvexConvexAlgorithm::FindNormal(Query& query) {
   const double angular_tolerance = narrowphase_.options().angular_tolerance;
   bool is_known = query.wants_least && FollowContact(query.shape_a, query.shape_b, query.settings, angular_tolerance,
@@ -335,9 +329,14 @@ void ConvexConvexAlgorithm::RememberRest(const btCollisionObjectWrapper& body_a,
   const Options& options = narrowphase_.options();
   // Where the options say that contacts come from this step's poses alone, none are kept from an earlier one.
   if (!options.keep_resting_contacts || !owns_manifold_ || !options.contact_patch || !options.warm_start) return;
+  const auto breaking_threshold = double(manifold_->getContactBreakingThreshold());
+  const bool is_still = motion.IsWithin(RestingDistance(breaking_threshold));
+  const double drift = is_still ? 0 : motion.Drift(FromBullet(manifold_->getContactPoint(0).m_positionWorldOnB));
+  // What bodies lie on that go faster is of no account.
+  if (!(drift <= MostDrift(breaking_threshold))) return;
   const Footing footing = FootingOfContacts();
-  if (!IsCalm(motion, footing)) return;
-  if (!RestingPair::CanTell(body_a, body_b, double(manifold_->getContactBreakingThreshold()), footing)) return;
+  if (!is_still && !footing.Allows(drift)) return;
+  if (!RestingPair::CanTell(body_a, body_b, breaking_threshold, footing)) return;
   const RestingPair resting(body_a, body_b, *manifold_, footing);
   if (resting_ != nullptr) {
     *resting_ = resting;

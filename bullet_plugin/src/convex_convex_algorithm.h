@@ -79,10 +79,8 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   /// The face that the contacts' normal turns with, if any.
   Footing FootingOfContacts() const;
 
-  /// Whether a pair with contacts will be nearly as it is after the step.
-  bool IsCalm(const PairMotion& motion, const Footing& footing) const;
-
-  /// Notes what the contacts have been found for, if the pair is calm and the options say that they are kept.
+  /// Notes what the contacts have been found for, if the pair will be nearly as it is after the step and the options
+  /// say that they are kept.
   void RememberRest(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
                     const PairMotion& motion);
 

@@ -56,10 +56,10 @@ class PairMotion {
     return time_step_ * a_.Speed() <= distance && time_step_ * b_.Speed() <= distance;
   }
 
-  /// Whether no point of either body goes farther than `distance`, metres, against the other where the two meet.
-  bool IsTogetherWithin(const Vector3& meeting_point, double distance) const {
+  /// No point of either body goes farther against the other where the two meet, metres.
+  double Drift(const Vector3& meeting_point) const {
     const double slip = (a_.VelocityAt(meeting_point) - b_.VelocityAt(meeting_point)).norm();
-    return time_step_ * (slip + (a_.angular - b_.angular).norm() * std::min(a_.reach, b_.reach)) <= distance;
+    return time_step_ * (slip + (a_.angular - b_.angular).norm() * std::min(a_.reach, b_.reach));
   }
 
   /// The way of a pose that is fixed to a body over the time step.

@@ -75,11 +75,11 @@ btScalar Way(const btTransform& from, const btTransform& to, btScalar reach) {
 }  // namespace
 
 Footing FootingOn(dgd::FaceHolder holder, const btPersistentManifold& manifold) {
-  // Of the breaking threshold. By measurement: with an eighth of the drift, a heap's narrowphase takes 10 % more, and
-  // it comes to rest 2 s later, for whatever is found anew has changed a little (big_scenes --scenes boxes). Without
-  // the limit to the rise, depths are off by up to 25 micrometres in place of 4 (dispatcher_replay, with half the
-  // drift).
-  constexpr double kDrift = 8e-2, kRise = 5e-4;
+  // Of the breaking threshold. By measurement: without the limit, depths are off by up to 25 micrometres in place of 4
+  // (dispatcher_replay, with half the drift).
+  constexpr double kRise = 5e-4;
+  const auto breaking_threshold = double(manifold.getContactBreakingThreshold());
+  const double most_rise = kRise * breaking_threshold, most_drift = MostDrift(breaking_threshold);
   const btManifoldPoint &first = manifold.getContactPoint(0), &second = manifold.getContactPoint(1),
                         &third = manifold.getContactPoint(2);
   const btVector3 to_second = second.m_positionWorldOnB - first.m_positionWorldOnB,
@@ -89,8 +89,7 @@ Footing FootingOn(dgd::FaceHolder holder, const btPersistentManifold& manifold) 
   // The surfaces part by rise / area of a way across the normal, where they part most.
   const auto rise = double((rise_2 * to_third - rise_3 * to_second).length());
   const auto area = double(to_second.cross(to_third).length());
-  const double drift = kDrift * rise <= kRise * area ? kDrift : kRise * area / rise;
-  return {holder, drift * double(manifold.getContactBreakingThreshold())};
+  return {holder, most_drift * rise <= most_rise * area ? most_drift : most_rise * area / rise};
 }
 
 RestingPair::RestingPair(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,

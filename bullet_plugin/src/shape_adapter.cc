@@ -21,13 +21,13 @@ int UpAxis(const btConvexShape& shape) {
     case CONE_SHAPE_PROXYTYPE:
       return static_cast<const btConeShape&>(shape).getConeUpIndex();
     default:
-      return 2;
+      return kZAxis;
   }
 }
 
 PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, GeometryMode geometry, HullCache& cache,
                       std::shared_ptr<const CachedHull>& hull) {
-  const int type = shape.getShapeType(), up = UpAxis(shape);
+  const int type = shape.getShapeType();
   const double margin = dgd::RequireLength(double(shape.getMargin()), true, "collision margin");
   // Of what has a margin besides its core.
   const bool is_sharp = geometry == GeometryMode::kSharp;
@@ -35,28 +35,29 @@ PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, 
   switch (type) {
     case SPHERE_SHAPE_PROXYTYPE:
       // Its margin is its radius.
-      return {dgd::RoundedSet{dgd::Point<double>(), margin}, FromBullet(transform, up)};
+      return {dgd::RoundedSet{dgd::Point<double>(), margin}, FromBullet(transform)};
     case CAPSULE_SHAPE_PROXYTYPE: {
       const auto& capsule = static_cast<const btCapsuleShape&>(shape);
       return {dgd::RoundedSet{dgd::Segment<double>(double(Extent(capsule.getHalfHeight()))), margin},
-              FromBullet(transform, up)};
+              FromBullet(transform, UpAxis(shape))};
     }
     case TRIANGLE_SHAPE_PROXYTYPE: {
       const btVector3* corners = static_cast<const btTriangleShape&>(shape).m_vertices1;
       return {
           dgd::RoundedSet{dgd::Triangle<double>(FromBullet(corners[0]), FromBullet(corners[1]), FromBullet(corners[2])),
                           radius},
-          FromBullet(transform, up)};
+          FromBullet(transform)};
     }
     case BOX_SHAPE_PROXYTYPE: {
       const auto& box = static_cast<const btBoxShape&>(shape);
       const btVector3 half = is_sharp ? box.getHalfExtentsWithMargin() : box.getHalfExtentsWithoutMargin();
       const Vector3 core = FromBullet(btVector3(Extent(half.x()), Extent(half.y()), Extent(half.z())));
-      return {dgd::RoundedSet{dgd::Box<double>(core), radius}, FromBullet(transform, up)};
+      return {dgd::RoundedSet{dgd::Box<double>(core), radius}, FromBullet(transform)};
     }
     case CYLINDER_SHAPE_PROXYTYPE: {
       const auto& cylinder = static_cast<const btCylinderShape&>(shape);
       const btVector3 half = is_sharp ? cylinder.getHalfExtentsWithMargin() : cylinder.getHalfExtentsWithoutMargin();
+      const int up = UpAxis(shape);
       // Bullet takes the radius from the first axis that is not the cylinder's own.
       return {dgd::RoundedSet{dgd::Cylinder<double>(double(Extent(half[up == 0 ? 1 : 0])), double(Extent(half[up]))),
                               radius},
@@ -65,14 +66,14 @@ PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, 
     case CONE_SHAPE_PROXYTYPE: {
       const auto& cone = static_cast<const btConeShape&>(shape);
       return {dgd::RoundedSet{dgd::Cone<double>(double(cone.getRadius()), double(cone.getHeight())), radius},
-              FromBullet(transform, up)};
+              FromBullet(transform, UpAxis(shape))};
     }
     default:
       break;
   }
-  if (!IsHullOfPoints(type)) return {dgd::RoundedSet{ThroughBullet(shape, radius), radius}, FromBullet(transform, up)};
+  if (!IsHullOfPoints(type)) return {dgd::RoundedSet{ThroughBullet(shape, radius), radius}, FromBullet(transform)};
   if (hull == nullptr || !hull->Matches(shape)) hull = cache.Find(shape);
-  return {dgd::RoundedSet{dgd::CoreReference(hull->Core()), radius}, FromBullet(transform, up)};
+  return {dgd::RoundedSet{dgd::CoreReference(hull->Core()), radius}, FromBullet(transform)};
 }
 
 }  // namespace dgd_bullet

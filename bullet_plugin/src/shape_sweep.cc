@@ -12,12 +12,8 @@
 namespace dgd_bullet {
 namespace {
 
-constexpr int kUpAxis = 2;
-
 /// Of the shape's body, whatever the shape's own axis.
-Motion WayOf(const MovingShape& moving) {
-  return Motion::Between(FromBullet(moving.from, kUpAxis), FromBullet(moving.to, kUpAxis));
-}
+Motion WayOf(const MovingShape& moving) { return Motion::Between(FromBullet(moving.from), FromBullet(moving.to)); }
 
 Motion WayOf(const MovingShape& moving, const PosedShape& posed) {
   Motion motion = WayOf(moving);

@@ -70,7 +70,7 @@ Corner<S> WitnessCorner(const Result<S>& result, const FacingFaces<S>& facing) {
 /// left out.
 template <class S>
 void Reduce(const CornerList<S>& corners, const PatchSettings<S>& settings, CornerList<S>& kept) {
-  const S spacing = settings.spacing;
+  const S spacing_sq = settings.spacing * settings.spacing;
   const auto distance_sq = [](const Corner<S>& a, const Corner<S>& b) {
     return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
   };
@@ -89,26 +89,34 @@ void Reduce(const CornerList<S>& corners, const PatchSettings<S>& settings, Corn
   if (settings.max_points == 1) return;
 
   int farthest = deepest;
+  S farthest_sq = 0;
   for (int i = 0; i < corners.size; ++i) {
-    if (distance_sq(corners[i], kept[0]) > distance_sq(corners[farthest], kept[0])) farthest = i;
+    const S away_sq = distance_sq(corners[i], kept[0]);
+    if (!(away_sq > farthest_sq)) continue;
+    farthest_sq = away_sq;
+    farthest = i;
   }
-  if (!(distance_sq(corners[farthest], kept[0]) > spacing * spacing)) return;
+  if (!(farthest_sq > spacing_sq)) return;
   kept.Add(corners[farthest]);
 
   const S dx = kept[1].x - kept[0].x, dy = kept[1].y - kept[0].y;
-  for (const S side : {S(1), S(-1)}) {
-    int widest = -1;
-    S most_area = 0;
-    for (int i = 0; i < corners.size; ++i) {
-      const S area = side * (dx * (corners[i].y - kept[0].y) - dy * (corners[i].x - kept[0].x));
-      if (area > most_area) {
-        most_area = area;
-        widest = i;
-      }
+  int left = -1, right = -1;
+  S most_left = 0, most_right = 0;  // Twice the area that is spanned.
+  for (int i = 0; i < corners.size; ++i) {
+    const S area = dx * (corners[i].y - kept[0].y) - dy * (corners[i].x - kept[0].x);
+    if (area > most_left) {
+      most_left = area;
+      left = i;
     }
+    if (area < most_right) {
+      most_right = area;
+      right = i;
+    }
+  }
+  for (const int widest : {left, right}) {
     if (widest < 0 || kept.size == settings.max_points) continue;
     bool apart = true;
-    for (int i = 0; i < kept.size; ++i) apart = apart && distance_sq(corners[widest], kept[i]) > spacing * spacing;
+    for (int i = 0; i < kept.size; ++i) apart &= distance_sq(corners[widest], kept[i]) > spacing_sq;
     if (apart) kept.Add(corners[widest]);
   }
 }
