@@ -98,6 +98,7 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
   using Triangle::along_;
   using Triangle::CornerAcross;
   using Triangle::corners_;
+  using Triangle::exit_height_;
   using Triangle::FindPlane;
   using Triangle::HasVertices;
   using Triangle::height_;
@@ -438,7 +439,7 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
     }
     normal_ = normal;
     length_sq_ = length_ = 1;
-    height_ = height;
+    exit_height_ = height_ = height;
     along_ = normal.dot(ray_);
     rise_ = rise;
     if (kEarly != Early::kNever && IsApart<kEarly>(along_ - height - rise, settings)) {
@@ -497,8 +498,8 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
       const S support = height_ + rise_;
       result.normal = normal_ / length_;
       result.separation = (along_ - support) / length_;
-      result.upper_bound = along_ / height_;
-      result.lower_bound = along_ / std::max(support, height_);
+      result.upper_bound = along_ / exit_height_;
+      result.lower_bound = along_ / std::max(support, exit_height_);
       result.witness_1 = pose_1_.translation + OnSet1(result.normal);
       result.witness_2 = pose_2_.translation + OnSet2(result.normal);
       result.status = result.separation > settings.separation_limit ? Status::kSeparated : Status::kOptimal;
@@ -521,10 +522,10 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
       return IsFinite(result);
     } else {
       if (!IsCertain(end)) return false;
-      result.status = along_ <= height_ ? Status::kColliding : Status::kTouching;
+      result.status = along_ <= exit_height_ ? Status::kColliding : Status::kTouching;
       result.normal = normal_ / length_;
       const Point center_1 = pose_1_.rotation * set_1_.core.Center();
-      result.point = pose_1_.translation + center_1 + along_ / height_ * (OnSet1(result.normal) - center_1);
+      result.point = pose_1_.translation + center_1 + along_ / exit_height_ * (OnSet1(result.normal) - center_1);
     }
     if (!IsFinite(result)) return false;
     if (state != nullptr) Remember(result.status, result.normal, *state);

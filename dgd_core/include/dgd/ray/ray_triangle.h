@@ -120,23 +120,22 @@ struct RayTriangle {
     height_ = normal_.dot(corners_[0].point) + radius_ * length_;
   }
 
-  /// Whether plain products keep the digits of the plane, and of weights on it. False for NaN.
+  /// Whether products keep enough digits of the plane, and of weights on it. False for NaN.
   bool IsSound() const {
-    const S longest_sq = std::max({side_1_.squaredNorm(), side_2_.squaredNorm(), (side_2_ - side_1_).squaredNorm()});
-    const bool is_fat = length_sq_ > kFat * kFat * longest_sq * longest_sq;
     const bool is_flat = along_ * along_ > kFlat * kFlat * length_sq_ * ray_.squaredNorm();
-    return is_fat && is_flat && height_ > 0;
+    return IsFatterThan(kFat) && is_flat && height_ > 0;
   }
 
   /// Finds where the ray meets the plane, by the corners' weights.
   /// @return -1 if it leaves between them, else the corner across the side that it passes beyond.
   int CornerAcross() {
-    const Point from_first = height_ / along_ * ray_ - radius_ / length_ * normal_ - corners_[0].point;
-    weights_[1] = normal_.dot(from_first.cross(side_2_)) / length_sq_;
-    weights_[2] = normal_.dot(side_1_.cross(from_first)) / length_sq_;
-    weights_[0] = 1 - weights_[1] - weights_[2];
+    exit_height_ = height_;
+    weights_[1] = weights_[2] = 0;
+    MoveWeights(ExitFromFirst());
     const auto least = std::ranges::min_element(weights_);
-    return *least >= 0 ? -1 : static_cast<int>(least - weights_.begin());
+    if (*least < 0) return static_cast<int>(least - weights_.begin());
+    if (!IsFatterThan(kPlain)) Refine();
+    return -1;
   }
 
   /// Whether the ray is certain to leave between the corners, which are vertices.
@@ -147,10 +146,37 @@ struct RayTriangle {
     return IsSound() && CornerAcross() < 0;
   }
 
-  /// Twice the area over the longest side's square, and the normal's cosine to the ray. By their inverses, rounding is
-  /// magnified: by measurement, of scanned objects' hulls, growth distances are off by 3e-15 at most, relative, as with
-  /// 0.05 for both; with a tenth of kFat, by 2e-14.
+  /// Twice the area over the longest side's square.
+  bool IsFatterThan(S share) const {
+    const S longest_sq = std::max({side_1_.squaredNorm(), side_2_.squaredNorm(), (side_2_ - side_1_).squaredNorm()});
+    return length_sq_ > share * share * longest_sq * longest_sq;
+  }
+
+  /// Where the ray leaves, less the radius, from the first corner.
+  Point ExitFromFirst() const { return exit_height_ / along_ * ray_ - radius_ / length_ * normal_ - corners_[0].point; }
+
+  /// @param way  On the plane.
+  void MoveWeights(const Point& way) {
+    weights_[1] += normal_.dot(way.cross(side_2_)) / length_sq_;
+    weights_[2] += normal_.dot(side_1_.cross(way)) / length_sq_;
+    weights_[0] = 1 - weights_[1] - weights_[2];
+  }
+
+  /// Of a thin triangle, the products above leave the corners' point by their weights away from where the ray leaves,
+  /// by more than the corners' own rounding: what is left between the two is taken back.
+  void Refine() {
+    const Point left = ExitFromFirst() - weights_[1] * side_1_ - weights_[2] * side_2_;
+    const S above = normal_.dot(left);
+    exit_height_ -= above;
+    MoveWeights(left - above / along_ * ray_);
+  }
+
+  /// How fat a triangle must be, and the normal's cosine to the ray. By their inverses, rounding is magnified. By
+  /// measurement, of 6000 warm queries of scanned objects' hulls, growth distances are off by 4e-15 at most, relative;
+  /// with five times kFat by 1e-15, in half as long again, and with a tenth of it by 2e-14.
   static constexpr S kFat = S(0.01), kFlat = S(0.05);
+  /// Less fat ones are refined.
+  static constexpr S kPlain = S(0.05);
 
   const Point ray_;
   const S radius_;
@@ -161,6 +187,7 @@ struct RayTriangle {
   std::array<S, 3> weights_;
   Point side_1_, side_2_;
   S along_, height_;  // Products of the normal with the ray, and with a point of the plane; with the radius.
+  S exit_height_;     // The same as height_, but with the point where the ray leaves.
   S length_sq_, length_;
 };
 
