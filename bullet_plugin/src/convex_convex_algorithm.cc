@@ -228,9 +228,7 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObj
 }
 
 Footing ConvexConvexAlgorithm::FootingOfContacts() const {
-  // On fewer a body rolls, and is pushed on by points that turn with it.
-  constexpr int kFewest = 3;
-  if (manifold_->getNumContacts() < kFewest) return {};
+  if (manifold_->getNumContacts() < kFewestOfFooting) return {};
   // Where edges of two faces cross that are nearly parallel, the normal is neither's, and turns with both.
   return FootingOn(face_holder_ != dgd::FaceHolder::kNone ? face_holder_ : dgd::FaceHolder::kSet1, *manifold_);
 }
@@ -331,6 +329,7 @@ void ConvexConvexAlgorithm::RememberRest(const btCollisionObjectWrapper& body_a,
   if (!options.keep_resting_contacts || !owns_manifold_ || !options.contact_patch || !options.warm_start) return;
   const auto breaking_threshold = double(manifold_->getContactBreakingThreshold());
   const bool is_still = motion.IsWithin(RestingDistance(breaking_threshold));
+  if (!is_still && manifold_->getNumContacts() < kFewestOfFooting) return;
   const double drift = is_still ? 0 : motion.Drift(FromBullet(manifold_->getContactPoint(0).m_positionWorldOnB));
   // What bodies lie on that go faster is of no account.
   if (!(drift <= MostDrift(breaking_threshold))) return;

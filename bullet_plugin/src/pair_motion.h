@@ -56,7 +56,7 @@ class PairMotion {
     return time_step_ * a_.Speed() <= distance && time_step_ * b_.Speed() <= distance;
   }
 
-  /// No point of either body goes farther against the other where the two meet, metres.
+  /// No point of either body goes farther in the time step, against the other where the two meet; metres.
   double Drift(const Vector3& meeting_point) const {
     const double slip = (a_.VelocityAt(meeting_point) - b_.VelocityAt(meeting_point)).norm();
     return time_step_ * (slip + (a_.angular - b_.angular).norm() * std::min(a_.reach, b_.reach));

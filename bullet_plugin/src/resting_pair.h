@@ -42,13 +42,16 @@ struct Footing {
   bool Allows(double drift) const { return holder != dgd::FaceHolder::kNone && drift <= max_drift; }
 };
 
+/// On fewer contacts a body rolls, and is pushed on by points that turn with it: they are no footing.
+constexpr int kFewestOfFooting = 3;
+
 /// What no footing's drift exceeds, metres: 1.6 mm for large bodies. By measurement: with an eighth of it, a heap's
 /// narrowphase takes 10 % more, and it comes to rest 2 s later, for whatever is found anew has changed a little
 /// (big_scenes --scenes boxes).
 constexpr double MostDrift(double breaking_threshold) { return 8e-2 * breaking_threshold; }
 
-/// The footing of three contacts or more on a holder's face. Its drift is MostDrift(), or less where the surfaces are
-/// not as good as parallel, so that no distance changes by more than 10 micrometres on the way.
+/// The footing of kFewestOfFooting contacts or more on a holder's face. Its drift is MostDrift(), or less where the
+/// surfaces are not as good as parallel, so that no distance changes by more than 10 micrometres on the way.
 Footing FootingOn(dgd::FaceHolder holder, const btPersistentManifold& manifold);
 
 /// A pair as it was when its contacts were found. The two bodies in the order that they are solved in.

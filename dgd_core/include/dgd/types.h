@@ -57,7 +57,7 @@ struct SupportPoint {
 template <class Scalar>
 struct Ascent {
   VertexId vertex;  ///< Where it leads.
-  Scalar slope;     ///< How far it rises on the way outwards; minus infinity if no way leads outwards.
+  Scalar slope;  ///< Its rise by its way outwards, as their directions are long; minus infinity if none leads outwards.
 };
 
 /// A flat disc on a core's boundary: the cap of a cylinder, the base of a cone. In the core's frame.

@@ -1,7 +1,9 @@
-// Where the ray meets a triangle, by its corners' weights: to the corners' own rounding, however thin the triangle.
+// Where the ray meets a triangle, by its corners' weights: to the corners' own rounding, as thin as it may be.
 #include "dgd/ray/ray_triangle.h"
 
 #include <gtest/gtest.h>
+
+#include <array>
 
 #include "support/random.h"
 
@@ -10,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A triangle of which the ray passes in the middle.
+/// A triangle that the ray passes in the middle once it is moved out by the radius.
 /// @param fatness  Twice its area over its longest side's square, about.
 /// @param along    Where on its long side its third corner is, as a part of that.
 template <class S>
@@ -18,10 +20,11 @@ dgd::ray_internal::RayTriangle<S> TriangleAbout(Random& random, double fatness, 
   const Eigen::Matrix3d turn = random.Rotation();
   const Vector3d ray = turn * Vector3d(0.2, 0.1, 1);
   std::array<Vector3d, 3> corners = {Vector3d(0, 0, 0), Vector3d(1, 0, 0), Vector3d(along, fatness, 0)};
-  const Vector3d middle = (corners[0] + corners[1] + corners[2]) / 3 + 0.1 * fatness * random.InCube();
+  const Vector3d middle =
+      (corners[0] + corners[1] + corners[2]) / 3 + Vector3d(0, 0.1 * fatness * random.Uniform(-1, 1), 0);
   dgd::ray_internal::RayTriangle<S> triangle(ray.cast<S>(), S(radius));
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vector3d point = turn * (corners[i] - middle + Vector3d(0.1, 0.05, 0.5));
+    const Vector3d point = turn * (corners[i] - middle + Vector3d(0.1, 0.05, 0.5 - radius));
     triangle.corners_[i] = {point.cast<S>(), dgd::FeatureId(i), 0};
   }
   return triangle;
@@ -36,7 +39,7 @@ void CheckThinTriangles() {
         auto triangle = TriangleAbout<S>(random, fatness, random.Uniform(0, 1), radius);
         triangle.FindPlane();
         ASSERT_TRUE(triangle.IsSound());
-        if (triangle.CornerAcross() >= 0) continue;  // With a radius, the ray passes elsewhere.
+        ASSERT_LT(triangle.CornerAcross(), 0);
         Vector3d point = radius * triangle.normal_.template cast<double>().normalized();
         for (std::size_t c = 0; c < 3; ++c) {
           point += double(triangle.weights_[c]) * triangle.corners_[c].point.template cast<double>();
