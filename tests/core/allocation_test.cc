@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <new>
 
-#include "support/any_set.h"
 #include "support/random_sets.h"
+#include "support/solver_pair.h"
 
 namespace {
 std::atomic<long> allocations{0};

@@ -15,6 +15,7 @@
 #include "dgd/growth_distance.h"
 #include "dgd/shapes.h"
 #include "dgd/signed_distance_certificate.h"
+#include "support/pairs/any_pair.h"
 #include "support/random.h"
 
 namespace dgd_test {
@@ -40,9 +41,10 @@ template <class S>
 Anew<S> MeasureAnew(const RoundedBox<S>& box_1, const dgd::Pose<S>& pose_1, const RoundedBox<S>& box_2,
                     const dgd::Pose<S>& pose_2) {
   Anew<S> anew;
+  const AnyPair<S, 3> pair(Erase(box_1), pose_1, Erase(box_2), pose_2);
   dgd::WarmStart<S> warm_start;
-  dgd::Result<S> growth = dgd::GrowthDistance(box_1, pose_1, box_2, pose_2, {}, &warm_start);
-  anew.result = dgd::SignedDistance(box_1, pose_1, box_2, pose_2, growth, &warm_start);
+  dgd::Result<S> growth = pair.GrowthDistance({}, &warm_start);
+  anew.result = pair.SignedDistance(growth, &warm_start);
   growth.normal = anew.result.normal;
   growth.witness_1 = anew.result.witness_1;
   growth.witness_2 = anew.result.witness_2;

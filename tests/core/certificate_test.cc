@@ -9,8 +9,8 @@
 #include "dgd/shapes/box.h"
 #include "dgd/shapes/ellipsoid.h"
 #include "dgd/shapes/point.h"
-#include "support/any_set.h"
 #include "support/random_sets.h"
+#include "support/solver_pair.h"
 
 namespace dgd_test {
 namespace {

@@ -15,6 +15,7 @@
 #include "dgd/shapes/cylinder.h"
 #include "dgd/shapes/point.h"
 #include "dgd/shapes/segment.h"
+#include "support/pairs/any_pair.h"
 #include "support/random.h"
 
 namespace dgd_test {
@@ -31,7 +32,7 @@ bool Never(const Vector3d&, double) { return false; }
 template <class Set1, class Set2, class IsApproaching = bool (*)(const Vector3d&, double)>
 dgd::ContactPatch<double> PatchOf(const Set1& set_1, const dgd::Pose<double>& pose_1, const Set2& set_2,
                                   const dgd::Pose<double>& pose_2, IsApproaching is_approaching = Never) {
-  const dgd::Result<double> result = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2);
+  const dgd::Result<double> result = AnyPair<double, 3>(Erase(set_1), pose_1, Erase(set_2), pose_2).GrowthDistance();
   EXPECT_EQ(result.status, dgd::Status::kOptimal);
   const auto facing = dgd::FindFacingFaces(set_1, pose_1, set_2, pose_2, result, kAngularTolerance);
   return dgd::FindContactPatch(

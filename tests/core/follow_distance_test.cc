@@ -9,6 +9,7 @@
 #include "dgd/growth_distance.h"
 #include "dgd/shapes.h"
 #include "dgd/signed_distance_certificate.h"
+#include "support/pairs/any_pair.h"
 #include "support/random.h"
 
 namespace dgd_test {
@@ -35,10 +36,10 @@ struct Count {
 };
 
 /// Two sets that drift past each other, shaken, for some frames: asked by following, and anew.
-template <class Set1, class Set2>
-void Walk(Random& random, const Set1& set_1, const Set2& set_2, Count& count) {
-  using S = typename Set1::Scalar;
-  constexpr bool kIsPolytope = dgd::MinkowskiDifference<Set1, Set2>::kIsPolytope;
+template <class Core1, class Core2, class S = typename Core1::Scalar>
+void Walk(Random& random, const dgd::RoundedSet<Core1>& set_1, const dgd::RoundedSet<Core2>& set_2, Count& count) {
+  constexpr bool kIsPolytope = dgd::MinkowskiDifference<dgd::RoundedSet<Core1>, dgd::RoundedSet<Core2>>::kIsPolytope;
+  AnyPair<S, 3> pair(Erase(set_1), {}, Erase(set_2), {});
   constexpr int kFrames = 60;
   constexpr double kLimit = 0.3;  // m
   const double tolerance = sizeof(S) == sizeof(float) ? 1e-5 : kIsPolytope ? 1e-13 : 1e-8;
@@ -52,16 +53,16 @@ void Walk(Random& random, const Set1& set_1, const Set2& set_2, Count& count) {
   for (int frame = 0; frame < kFrames; ++frame) {
     pose_2.translation += 2.4 / kFrames * drift + 0.01 * random.InCube();
     pose_2.rotation = Eigen::AngleAxisd(0.02, random.UnitVector()) * pose_2.rotation;
-    const dgd::Pose<S> at_1{pose_1.rotation.cast<S>(), pose_1.translation.cast<S>()};
-    const dgd::Pose<S> at_2{pose_2.rotation.cast<S>(), pose_2.translation.cast<S>()};
+    pair.MoveTo(dgd::Pose<S>{pose_1.rotation.cast<S>(), pose_1.translation.cast<S>()},
+                dgd::Pose<S>{pose_2.rotation.cast<S>(), pose_2.translation.cast<S>()});
     dgd::WarmStart<S> warm_start, fresh;
-    const auto growth = dgd::GrowthDistance(set_1, at_1, set_2, at_2, {}, &warm_start);
-    const auto anew = dgd::SignedDistance(set_1, at_1, set_2, at_2, growth, &warm_start, {}, &fresh);
+    const auto growth = pair.GrowthDistance({}, &warm_start);
+    const auto anew = pair.SignedDistance(growth, &warm_start, {}, &fresh);
     const double radius = double(set_1.radius + set_2.radius), anew_separation = double(anew.separation);
     if (can_follow) {
       ++count.frames;
       const dgd::WarmStart<S> before = state;
-      const auto followed = dgd::FollowDistance(set_1, at_1, set_2, at_2, settings, state);
+      const auto followed = pair.FollowDistance(settings, state);
       switch (followed.status) {
         case Status::kOptimal: {
           ++count.followed;
@@ -72,7 +73,7 @@ void Walk(Random& random, const Set1& set_1, const Set2& set_2, Count& count) {
           if (anew.status == Status::kOptimal) {
             EXPECT_NEAR(double(followed.separation), anew_separation, 2 * tolerance);
           }
-          const auto certificate = dgd::Certify(set_1, at_1, set_2, at_2, followed);
+          const auto certificate = pair.Certify(followed);
           EXPECT_TRUE(certificate.Holds(2 * tolerance, std::sqrt(tolerance)))
               << certificate.primal_infeasibility << ' ' << certificate.separation_error << ' '
               << certificate.connection_error << ' ' << certificate.neighbour_gain;
@@ -80,7 +81,7 @@ void Walk(Random& random, const Set1& set_1, const Set2& set_2, Count& count) {
         }
         case Status::kSeparated: {
           ++count.separated;
-          const auto certificate = dgd::Certify(set_1, at_1, set_2, at_2, followed);
+          const auto certificate = pair.Certify(followed);
           EXPECT_LE(certificate.separation_error, tolerance);
           EXPECT_GT(double(followed.separation), kLimit);
           EXPECT_EQ(state.size, 0);

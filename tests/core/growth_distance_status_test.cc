@@ -1,7 +1,7 @@
 // Every way a query ends, and that it then leaves no field unset.
 #include <gtest/gtest.h>
 
-#include "dgd/shapes/transformed.h"
+#include "dgd/shapes.h"
 #include "support/checks.h"
 #include "support/random_sets.h"
 #include "support/scalars.h"
@@ -89,11 +89,11 @@ TYPED_TEST(GrowthDistanceStatus, InteriorBelowRounding_OfAFarOrigin) {
   using S = TypeParam;
   using Vector = dgd::Vector3<S>;
   const S far = S(60) / dgd::kEpsilon<S>;
-  const dgd::RoundedSet box{dgd::Box<S>(Vector(4, 6, 4))};
+  const auto box = Erase(dgd::RoundedSet{dgd::Box<S>(Vector(4, 6, 4))});
   const auto ask = [&](S offset) {
     const dgd::RoundedSet cylinder{dgd::Transformed(
         dgd::Cylinder<S>(S(0.1), S(2.5)), dgd::Matrix3<S>(dgd::Matrix3<S>::Identity()), Vector(4, -offset, -offset))};
-    return dgd::GrowthDistance(box, {}, cylinder, {});
+    return AnyPair<S, 3>(box, {}, Erase(cylinder), {}).GrowthDistance();
   };
   this->ExpectNoAnswer(ask(far), Status::kNoInterior);
   EXPECT_EQ(ask(far / 1000).status, Status::kOptimal);
@@ -111,11 +111,9 @@ TYPED_TEST(GrowthDistanceStatus, InteriorBelowRounding_OfARadius) {
   pose.translation = Vector(7, -1, -5);
   for (const dgd::Triangle<S>& triangle : {degenerate, oblique}) {
     const auto ask = [&](S radius) {
-      const dgd::RoundedSet set_1{triangle};
-      const dgd::RoundedSet set_2{point, radius};
-      const Status yes_no = dgd::DetectCollision(set_1, {}, set_2, pose).status;
-      EXPECT_EQ(yes_no, Status::kSeparated);
-      return dgd::GrowthDistance(set_1, {}, set_2, pose);
+      const AnyPair<S, 3> pair(Erase(dgd::RoundedSet{triangle}), {}, Erase(dgd::RoundedSet{point, radius}), pose);
+      EXPECT_EQ(pair.DetectCollision().status, Status::kSeparated);
+      return pair.GrowthDistance();
     };
     this->ExpectNoAnswer(ask(dgd::kEpsilon<S> / 10000), Status::kNoInterior);
     EXPECT_EQ(ask(S(0.01)).status, Status::kOptimal);
@@ -209,7 +207,7 @@ TYPED_TEST(GrowthDistanceStatus, NoInterior_ForTwoFlatSets) {
 }
 
 template <class S>
-void SetRadius(AnySet<S>& set, S radius) {
+void SetRadius(AnySet<S, 3>& set, S radius) {
   std::visit([radius](auto& a) { a.radius = radius; }, set);
 }
 

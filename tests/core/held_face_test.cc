@@ -13,6 +13,7 @@
 #include "dgd/growth_distance.h"
 #include "dgd/shapes.h"
 #include "dgd/signed_distance_certificate.h"
+#include "support/pairs/any_pair.h"
 #include "support/random.h"
 
 namespace dgd_test {
@@ -42,9 +43,10 @@ Anew<typename Set1::Scalar> MeasureAnew(const Set1& set_1, const dgd::PoseOf<Set
                                         const dgd::PoseOf<Set1>& pose_2) {
   using S = typename Set1::Scalar;
   Anew<S> anew;
+  const AnyPair<S, 3> pair(Erase(set_1), pose_1, Erase(set_2), pose_2);
   dgd::WarmStart<S> warm_start;
-  dgd::Result<S> growth = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2, {}, &warm_start);
-  anew.result = dgd::SignedDistance(set_1, pose_1, set_2, pose_2, growth, &warm_start, {}, &anew.state);
+  dgd::Result<S> growth = pair.GrowthDistance({}, &warm_start);
+  anew.result = pair.SignedDistance(growth, &warm_start, {}, &anew.state);
   growth.normal = anew.result.normal;
   growth.witness_1 = anew.result.witness_1;
   growth.witness_2 = anew.result.witness_2;

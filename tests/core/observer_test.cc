@@ -6,6 +6,7 @@
 
 #include "dgd/growth_distance.h"
 #include "dgd/shapes.h"
+#include "support/pairs/any_pair.h"
 #include "support/random.h"
 
 namespace dgd_test {
@@ -25,19 +26,20 @@ dgd::Pose<double, L> RandomPose(Random& random, double distance) {
 
 /// Of 200 queries at random poses, from deep overlap to far apart, each pair cold and then warm.
 /// @return the most iterations of a query.
-template <class Set1, class Set2>
-int CheckObserver(const Set1& set_1, const Set2& set_2) {
-  constexpr int L = dgd::kDimension<typename Set1::Core>;
+template <class Core1, class Core2>
+int CheckObserver(const dgd::RoundedSet<Core1>& set_1, const dgd::RoundedSet<Core2>& set_2) {
+  constexpr int L = dgd::kDimension<Core1>;
   using Iterate = dgd::Iterate<double, L>;
   Random random(TestSeed());
   int most = 0;
   for (int i = 0; i < 100; ++i) {
     const dgd::Pose<double, L> pose_1 = RandomPose<L>(random, 1), pose_2 = RandomPose<L>(random, 4);
+    const AnyPair<double, L> pair(Erase(set_1), pose_1, Erase(set_2), pose_2);
     dgd::WarmStart<double, L> warm_start;
     for (int frame = 0; frame < 2; ++frame) {
       std::vector<Iterate> told;
-      const auto result = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2, {}, &warm_start,
-                                              [&told](const Iterate& iterate) { told.push_back(iterate); });
+      const auto result =
+          pair.GrowthDistance({}, &warm_start, [&told](const Iterate& iterate) { told.push_back(iterate); });
       EXPECT_EQ(result.status, dgd::Status::kOptimal);
       EXPECT_EQ(told.size(), static_cast<std::size_t>(result.iterations));
       if (testing::Test::HasFailure()) return most;

@@ -11,6 +11,7 @@
 #include "dgd/certificate.h"
 #include "dgd/growth_distance.h"
 #include "dgd/shapes.h"
+#include "support/pairs/any_pair.h"
 #include "support/scalars.h"
 
 namespace dgd_test {
@@ -36,44 +37,47 @@ const Vector2d kPlace(1.5, -0.75);
 template <class S>
 class PlaneAnalytic : public ::testing::Test {
  protected:
+  using Set = AnySet<S, 2>;
+
   static constexpr std::array kGrowthDistances = {0.125, 0.5, 1.0, 3.0, 20.0};
 
   /// Set 2's frame `way` from set 1's, as they stand and turned about together; in both orders; cold, then warm after a
   /// little motion. `normal` is zero where there is more than one.
-  template <class Set1, class Set2>
-  static void Check(const Set1& set_1, const Set2& set_2, const Vector2d& way, double growth_distance,
-                    const Vector2d& normal) {
+  template <class Core1, class Core2>
+  static void Check(const dgd::RoundedSet<Core1>& set_1, const dgd::RoundedSet<Core2>& set_2, const Vector2d& way,
+                    double growth_distance, const Vector2d& normal) {
+    const Set any_1 = Erase(set_1), any_2 = Erase(set_2);
     for (const double angle : {0.0, 0.3, 2.0}) {
       const Eigen::Matrix2d turn = Eigen::Rotation2Dd(angle).toRotationMatrix();
       const dgd::Pose<S, 2> pose_1 = PoseAt<S>(kPlace, angle);
       const dgd::Pose<S, 2> pose_2 = PoseAt<S>(kPlace + turn * way, angle);
       SCOPED_TRACE("growth distance " + std::to_string(growth_distance) + ", turned by " + std::to_string(angle));
-      CheckInOrder(set_1, pose_1, set_2, pose_2, growth_distance, turn * normal);
-      CheckInOrder(set_2, pose_2, set_1, pose_1, growth_distance, -(turn * normal));
+      CheckInOrder(any_1, pose_1, any_2, pose_2, growth_distance, turn * normal);
+      CheckInOrder(any_2, pose_2, any_1, pose_1, growth_distance, -(turn * normal));
     }
   }
 
  private:
-  template <class Set1, class Set2>
-  static void CheckInOrder(const Set1& set_1, const dgd::Pose<S, 2>& pose_1, const Set2& set_2,
+  static void CheckInOrder(const Set& set_1, const dgd::Pose<S, 2>& pose_1, const Set& set_2,
                            const dgd::Pose<S, 2>& pose_2, double growth_distance, const Vector2d& normal) {
+    const AnyPair<S, 2> pair(set_1, pose_1, set_2, pose_2);
     dgd::WarmStart<S, 2> warm_start;
     dgd::Pose<S, 2> moved = pose_2;
     moved.translation += dgd::Vector2<S>(S(0.01), S(-0.02));
-    (void)dgd::GrowthDistance(set_1, pose_1, set_2, moved, {}, &warm_start);
+    (void)AnyPair<S, 2>(set_1, pose_1, set_2, moved).GrowthDistance({}, &warm_start);
     for (dgd::WarmStart<S, 2>* start : {static_cast<dgd::WarmStart<S, 2>*>(nullptr), &warm_start}) {
       SCOPED_TRACE(start == nullptr ? "cold" : "warm");
-      const dgd::Result<S, 2> result = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2, {}, start);
+      const dgd::Result<S, 2> result = pair.GrowthDistance({}, start);
       EXPECT_EQ(result.status, Status::kOptimal);
       EXPECT_NEAR(double(result.lower_bound) / growth_distance, 1, Tolerance<S>::kRelative);
       EXPECT_NEAR(double(result.upper_bound) / growth_distance, 1, Tolerance<S>::kRelative);
-      EXPECT_TRUE(dgd::Certify(set_1, pose_1, set_2, pose_2, result)
-                      .Holds(Tolerance<S>::kLength * (1 + growth_distance) * 10, Tolerance<S>::kRelative));
+      EXPECT_TRUE(
+          pair.Certify(result).Holds(Tolerance<S>::kLength * (1 + growth_distance) * 10, Tolerance<S>::kRelative));
       // The gap is of second order in the normal's error on a curved side.
       if (normal.norm() > 0) {
         EXPECT_LE((result.normal.template cast<double>() - normal).norm(), 4 * std::sqrt(Tolerance<S>::kRelative));
       }
-      CheckYesNo(dgd::DetectCollision(set_1, pose_1, set_2, pose_2, {}, start), growth_distance);
+      CheckYesNo(pair.DetectCollision({}, start), growth_distance);
     }
   }
 
@@ -175,41 +179,42 @@ TYPED_TEST(PlaneAnalytic, RoundedRectangles_MeetAtRoundedCorners) {
 
 TYPED_TEST(PlaneAnalytic, CoincidentCenters_GiveZeroAndSomeNormal) {
   using S = TypeParam;
-  const dgd::RoundedSet rectangle{dgd::Rectangle<S>({S(0.5), S(1)})};
+  const auto rectangle = Erase(dgd::RoundedSet{dgd::Rectangle<S>({S(0.5), S(1)})});
+  const auto circle = Erase(dgd::Circle<S>(S(0.25)));
   const dgd::Pose<S, 2> pose = PoseAt<S>(kPlace, 0.3);
-  const dgd::Result<S, 2> result = dgd::GrowthDistance(rectangle, pose, dgd::Circle<S>(S(0.25)), pose);
+  const dgd::Result<S, 2> result = AnyPair<S, 2>(rectangle, pose, circle, pose).GrowthDistance();
   EXPECT_EQ(result.status, Status::kCoincidentCenters);
   EXPECT_EQ(result.lower_bound, 0);
   EXPECT_EQ(result.upper_bound, 0);
   EXPECT_NEAR(double(result.normal.norm()), 1, 4 * double(dgd::kEpsilon<S>));
   EXPECT_LE(double(result.separation), -0.75 + Tolerance<S>::kLength);
   EXPECT_EQ(result.witness_1, pose.translation);
-  EXPECT_EQ(dgd::DetectCollision(rectangle, pose, rectangle, pose).status, Status::kColliding);
+  EXPECT_EQ((AnyPair<S, 2>(rectangle, pose, rectangle, pose).DetectCollision().status), Status::kColliding);
 }
 
 TYPED_TEST(PlaneAnalytic, FlatSets_HaveNoGrowthDistance) {
   using S = TypeParam;
-  const dgd::RoundedSet segment{dgd::Segment<S, 2>(S(1))};
-  const dgd::RoundedSet point{dgd::Point<S, 2>()};
+  const auto segment = Erase(dgd::RoundedSet{dgd::Segment<S, 2>(S(1))});
+  const auto point = Erase(dgd::RoundedSet{dgd::Point<S, 2>()});
   const dgd::Pose<S, 2> pose_1 = PoseAt<S>(kPlace), pose_2 = PoseAt<S>(kPlace + Vector2d(1, 0.5));
-  for (const dgd::Result<S, 2>& result :
-       {dgd::GrowthDistance(segment, pose_1, point, pose_2), dgd::GrowthDistance(segment, pose_1, segment, pose_2)}) {
+  const AnyPair<S, 2> with_point(segment, pose_1, point, pose_2), with_segment(segment, pose_1, segment, pose_2);
+  for (const dgd::Result<S, 2>& result : {with_point.GrowthDistance(), with_segment.GrowthDistance()}) {
     EXPECT_EQ(result.status, Status::kNoInterior);
     EXPECT_EQ(result.lower_bound, 0);
     EXPECT_EQ(result.upper_bound, std::numeric_limits<S>::infinity());
     EXPECT_EQ(result.normal.norm(), 1);
   }
-  EXPECT_EQ(dgd::DetectCollision(segment, pose_1, point, pose_2).status, Status::kNoInterior);
+  EXPECT_EQ(with_point.DetectCollision().status, Status::kNoInterior);
 }
 
 TYPED_TEST(PlaneAnalytic, SeparationLimit_EndsTheQuery) {
   using S = TypeParam;
-  const dgd::RoundedSet circle = dgd::Circle<S>(S(0.5));
+  const auto circle = Erase(dgd::Circle<S>(S(0.5)));
   const dgd::Pose<S, 2> pose_1 = PoseAt<S>(kPlace), pose_2 = PoseAt<S>(kPlace + Vector2d(3, 0));
+  const AnyPair<S, 2> pair(circle, pose_1, circle, pose_2);
   dgd::WarmStart<S, 2> warm_start;
   for (int frame = 0; frame < 2; ++frame) {
-    const dgd::Result<S, 2> result =
-        dgd::GrowthDistance(circle, pose_1, circle, pose_2, {.separation_limit = S(1)}, &warm_start);
+    const dgd::Result<S, 2> result = pair.GrowthDistance({.separation_limit = S(1)}, &warm_start);
     EXPECT_EQ(result.status, Status::kSeparated);
     EXPECT_NEAR(double(result.separation), 2, Tolerance<S>::kLength);
   }

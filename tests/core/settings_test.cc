@@ -7,6 +7,7 @@
 
 #include "dgd/growth_distance.h"
 #include "dgd/shapes.h"
+#include "support/pairs/any_pair.h"
 #include "support/random.h"
 
 namespace dgd_test {
@@ -18,10 +19,11 @@ struct Iterations {
 };
 
 /// Asks about a fixed set of poses, overlapping and apart, with the setting on and off, and compares the answers.
-template <class Set1, class Set2>
-Iterations Compare(bool dgd::Settings<double>::*setting, const Set1& set_1, const Set2& set_2,
-                   const dgd::Settings<double>& others = {}) {
-  constexpr int L = dgd::kDimension<typename Set1::Core>;
+template <class Core1, class Core2>
+Iterations Compare(bool dgd::Settings<double>::*setting, const dgd::RoundedSet<Core1>& set_1,
+                   const dgd::RoundedSet<Core2>& set_2, const dgd::Settings<double>& others = {}) {
+  constexpr int L = dgd::kDimension<Core1>;
+  AnyPair<double, L> pair(Erase(set_1), {}, Erase(set_2), {});
   Random random(7);
   Iterations iterations;
   for (int i = 0; i < 200; ++i) {
@@ -39,8 +41,9 @@ Iterations Compare(bool dgd::Settings<double>::*setting, const Set1& set_1, cons
     with.facet_walk = setting == &dgd::Settings<double>::facet_walk || setting == &dgd::Settings<double>::likely_start;
     dgd::Settings<double> without = with;
     without.*setting = false;
-    const auto on = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2, with);
-    const auto off = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2, without);
+    pair.MoveTo(pose_1, pose_2);
+    const auto on = pair.GrowthDistance(with);
+    const auto off = pair.GrowthDistance(without);
     EXPECT_EQ(on.status, dgd::Status::kOptimal) << "pose " << i;
     EXPECT_EQ(off.status, dgd::Status::kOptimal) << "pose " << i;
     EXPECT_NEAR(off.GrowthDistance() / on.GrowthDistance(), 1, 2 * with.relative_tolerance) << "pose " << i;

@@ -10,6 +10,7 @@
 #include "dgd/growth_distance.h"
 #include "dgd/shapes.h"
 #include "dgd/signed_distance_certificate.h"
+#include "support/pairs/any_pair.h"
 #include "support/scalars.h"
 
 namespace dgd_test {
@@ -19,6 +20,7 @@ template <class S>
 class SignedDistanceTest : public ::testing::Test {
  protected:
   using Vector = dgd::Vector3<S>;
+  using Pair = AnyPair<S, 3>;
 
   static dgd::Pose<S> At(const Vector& translation, const dgd::Matrix3<S>& rotation = dgd::Matrix3<S>::Identity()) {
     return {rotation, translation};
@@ -28,15 +30,16 @@ class SignedDistanceTest : public ::testing::Test {
   }
 
   /// With set 1 where it is.
-  template <class Set1, class Set2>
-  static dgd::SignedDistanceResult<S> Ask(const Set1& set_1, const Set2& set_2, const dgd::Pose<S>& pose_2) {
+  template <class Core1, class Core2>
+  static dgd::SignedDistanceResult<S> Ask(const dgd::RoundedSet<Core1>& set_1, const dgd::RoundedSet<Core2>& set_2,
+                                          const dgd::Pose<S>& pose_2) {
+    const Pair pair(Erase(set_1), {}, Erase(set_2), pose_2);
     dgd::WarmStart<S> warm_start;
-    const dgd::Result<S> growth = dgd::GrowthDistance(set_1, {}, set_2, pose_2, {}, &warm_start);
-    const auto from_basis = dgd::SignedDistance(set_1, {}, set_2, pose_2, growth, &warm_start);
-    const auto from_nothing = dgd::SignedDistance(set_1, {}, set_2, pose_2, dgd::Result<S>());
+    const auto from_basis = pair.SignedDistance(pair.GrowthDistance({}, &warm_start), &warm_start);
+    const auto from_nothing = pair.SignedDistance({});
     EXPECT_EQ(from_nothing.status, dgd::Status::kOptimal);
     EXPECT_NEAR(from_nothing.separation, from_basis.separation, kTolerance);
-    EXPECT_TRUE(dgd::Certify(set_1, {}, set_2, pose_2, from_basis).Holds(kTolerance, kWitness));
+    EXPECT_TRUE(pair.Certify(from_basis).Holds(kTolerance, kWitness));
     return from_basis;
   }
 
@@ -97,7 +100,7 @@ TYPED_TEST(SignedDistanceTest, BoxDeepInAnother_LeavesThroughTheNearestFaceWhate
 
 TYPED_TEST(SignedDistanceTest, BoxesEdgeOverEdge_AreSeparatedAlongTheirCommonNormal) {
   using S = TypeParam;
-  const dgd::RoundedSet box{dgd::Box<S>({S(0.5), S(0.5), S(0.5)})};
+  const auto box = Erase(dgd::RoundedSet{dgd::Box<S>({S(0.5), S(0.5), S(0.5)})});
   // Both stand on an edge, the edges across each other: their tops are half a diagonal from the centres.
   const S half_diagonal = std::sqrt(S(0.5));
   const dgd::Matrix3<S> on_edge = this->Turn(std::numbers::pi_v<S> / 4, dgd::Vector3<S>::UnitX());
@@ -105,7 +108,8 @@ TYPED_TEST(SignedDistanceTest, BoxesEdgeOverEdge_AreSeparatedAlongTheirCommonNor
   for (const S gap : {S(0.3), S(0.001), S(0), S(-0.001), S(-0.1)}) {
     const dgd::Pose<S> pose_1 = this->At({0, 0, 0}, on_edge);
     const dgd::Pose<S> pose_2 = this->At({S(0.1), S(-0.2), 2 * half_diagonal + gap}, across);
-    const auto result = dgd::SignedDistance(box, pose_1, box, pose_2, dgd::GrowthDistance(box, pose_1, box, pose_2));
+    const AnyPair<S, 3> pair(box, pose_1, box, pose_2);
+    const auto result = pair.SignedDistance(pair.GrowthDistance());
     this->ExpectDistance(result, gap);
     EXPECT_NEAR(result.separation, gap, 4 * this->kExact);
     if (gap != 0) this->ExpectNormal(result, dgd::Vector3<S>::UnitZ());
@@ -139,10 +143,11 @@ TYPED_TEST(SignedDistanceTest, CrossingCapsules_PartAcrossBothAxes) {
 
 TYPED_TEST(SignedDistanceTest, FlatSetsWithoutInterior_HaveADistance) {
   using S = TypeParam;
-  const dgd::RoundedSet triangle{dgd::Triangle<S>({0, 0, 0}, {1, 0, 0}, {0, 1, 0})};
-  this->ExpectDistance(dgd::SignedDistance(triangle, {}, triangle, this->At({S(0.2), S(0.1), S(0.5)}), {}), S(0.5));
+  const auto triangle = Erase(dgd::RoundedSet{dgd::Triangle<S>({0, 0, 0}, {1, 0, 0}, {0, 1, 0})});
+  this->ExpectDistance(AnyPair<S, 3>(triangle, {}, triangle, this->At({S(0.2), S(0.1), S(0.5)})).SignedDistance({}),
+                       S(0.5));
   // In one plane, overlapping: nothing to move apart.
-  this->ExpectDistance(dgd::SignedDistance(triangle, {}, triangle, this->At({S(0.2), S(0.1), 0}), {}), 0);
+  this->ExpectDistance(AnyPair<S, 3>(triangle, {}, triangle, this->At({S(0.2), S(0.1), 0})).SignedDistance({}), 0);
 }
 
 // Squares of a core's tiny lengths are no numbers: fuzz_solver found a normal 3e-25 long.
@@ -151,11 +156,11 @@ TYPED_TEST(SignedDistanceTest, CoresThatAreTiny_HaveAUnitNormal) {
   const S tiny = S(4e-13);
   const dgd::Triangle<S> triangle(dgd::Vector3<S>(tiny, 0, 0), dgd::Vector3<S>(0, tiny, 0),
                                   dgd::Vector3<S>(-tiny, -tiny, 0));
-  const dgd::RoundedSet grain{dgd::Point<S>()};
+  const auto grain = Erase(dgd::RoundedSet{dgd::Point<S>()});
   for (const S radius : {S(2847.85), S(1), S(1e-3), S(1e-5)}) {
     const auto check = [&](const auto& core) {
-      const dgd::RoundedSet set{core, radius};
-      const auto result = dgd::SignedDistance(set, {}, grain, {}, dgd::GrowthDistance(set, {}, grain, {}));
+      const AnyPair<S, 3> pair(Erase(dgd::RoundedSet{core, radius}), {}, grain, {});
+      const auto result = pair.SignedDistance(pair.GrowthDistance());
       EXPECT_NE(result.status, dgd::Status::kInvalidInput);
       EXPECT_NEAR(result.normal.norm(), 1, 4 * dgd::kEpsilon<S>);
       EXPECT_NEAR(result.separation / radius, -1, 1e-6);
@@ -192,9 +197,9 @@ TYPED_TEST(SignedDistanceTest, CylinderOnItsCapAndOnItsSide_IsAsDeepAsItSank) {
 
 TYPED_TEST(SignedDistanceTest, NanPose_IsInvalid) {
   using S = TypeParam;
-  const dgd::RoundedSet box{dgd::Box<S>({1, 1, 1})};
+  const auto box = Erase(dgd::RoundedSet{dgd::Box<S>({1, 1, 1})});
   const auto pose = this->At({std::numeric_limits<S>::quiet_NaN(), 0, 0});
-  EXPECT_EQ(dgd::SignedDistance(box, {}, box, pose, {}).status, dgd::Status::kInvalidInput);
+  EXPECT_EQ((AnyPair<S, 3>(box, {}, box, pose).SignedDistance({}).status), dgd::Status::kInvalidInput);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "dgd/shapes.h"
+#include "support/pairs/any_pair.h"
 
 namespace dgd {
 namespace {
@@ -28,6 +29,13 @@ Motion<double> Turning(const Point3& at, const Point3& rotation) {
   return motion;
 }
 
+template <class Set1, class Set2>
+TimeOfImpactResult<double> Sweep(const Set1& set_1, const Motion<double>& motion_1, const Set2& set_2,
+                                 const Motion<double>& motion_2, const SweepSettings<double>& settings = {}) {
+  return dgd_test::AnyPair<double, 3>(dgd_test::Erase(set_1), {}, dgd_test::Erase(set_2), {})
+      .TimeOfImpact(motion_1, motion_2, settings);
+}
+
 /// Late is wrong; as early as the tolerance, a fraction of a nanometre, takes at these speeds is right.
 void ExpectImpact(const TimeOfImpactResult<double>& result, double time, double earliness = 1e-9) {
   EXPECT_EQ(result.status, Status::kTouching);
@@ -40,7 +48,7 @@ void ExpectImpact(const TimeOfImpactResult<double>& result, double time, double 
 
 TEST(TimeOfImpact, Spheres_HeadOn) {
   const auto ball = Sphere(0.5), other = Sphere(0.25);
-  const auto result = TimeOfImpact(ball, Straight({0, 0, 0}, {1, 0, 0}), other, Straight({3, 0, 0}, {-2, 0, 0}));
+  const auto result = Sweep(ball, Straight({0, 0, 0}, {1, 0, 0}), other, Straight({3, 0, 0}, {-2, 0, 0}));
   ExpectImpact(result, 0.75);
   EXPECT_NEAR((result.normal - Point3::UnitX()).norm(), 0, 1e-12);
   EXPECT_NEAR((result.witness_1 - Point3(1.25, 0, 0)).norm(), 0, 1e-9);
@@ -49,16 +57,16 @@ TEST(TimeOfImpact, Spheres_HeadOn) {
 TEST(TimeOfImpact, Spheres_AskewHitAndMissByAMicrometre) {
   const auto ball = Sphere(0.5);
   const double offset = 1 - 1e-6;
-  const auto hit = TimeOfImpact(ball, Straight({0, 0, 0}, {0, 0, 0}), ball, Straight({-2, offset, 0}, {4, 0, 0}));
+  const auto hit = Sweep(ball, Straight({0, 0, 0}, {0, 0, 0}), ball, Straight({-2, offset, 0}, {4, 0, 0}));
   ExpectImpact(hit, (2 - std::sqrt(1 - offset * offset)) / 4, 1e-7);  // It closes at 6 mm in a time of 1.
-  const auto miss = TimeOfImpact(ball, Straight({0, 0, 0}, {0, 0, 0}), ball, Straight({-2, 1 + 1e-6, 0}, {4, 0, 0}));
+  const auto miss = Sweep(ball, Straight({0, 0, 0}, {0, 0, 0}), ball, Straight({-2, 1 + 1e-6, 0}, {4, 0, 0}));
   EXPECT_EQ(miss.status, Status::kSeparated);
   EXPECT_EQ(miss.time, 1);
 }
 
 TEST(TimeOfImpact, Boxes_FaceOnFaceInTwoPlanes) {
   const RoundedSet box{Box<double>({0.5, 0.5, 0.5})};
-  const auto result = TimeOfImpact(box, Straight({0, 0, 0}, {0, 0, 0}), box, Straight({0.3, 0.2, 2}, {0.1, 0, -2}));
+  const auto result = Sweep(box, Straight({0, 0, 0}, {0, 0, 0}), box, Straight({0.3, 0.2, 2}, {0.1, 0, -2}));
   ExpectImpact(result, 0.5);
   EXPECT_LE(result.planes, 2);
 }
@@ -68,7 +76,7 @@ TEST(TimeOfImpact, Boxes_EdgeOnEdge) {
   Motion<double> lower, upper = Straight({0.1, 0.1, 3}, {0, 0, -3});
   lower.start.rotation = Eigen::AngleAxisd(std::numbers::pi / 4, Point3::UnitY()).toRotationMatrix();
   upper.start.rotation = Eigen::AngleAxisd(std::numbers::pi / 4, Point3::UnitX()).toRotationMatrix();
-  const auto result = TimeOfImpact(box, lower, box, upper);
+  const auto result = Sweep(box, lower, box, upper);
   ExpectImpact(result, (3 - std::numbers::sqrt2) / 3);
   EXPECT_NEAR((result.normal - Point3::UnitZ()).norm(), 0, 1e-9);
 }
@@ -83,10 +91,10 @@ TEST(TimeOfImpact, TurningRod_HitsABallAtItsAngle) {
   const Point3 at(distance * std::cos(angle), distance * std::sin(angle), 0.05);
   const double across = std::sqrt(0.3 * 0.3 - 0.05 * 0.05);
   const double impact = angle - std::asin(across / distance);
-  ExpectImpact(TimeOfImpact(rod, turning, ball, Straight(at, {0, 0, 0})), impact / (std::numbers::pi / 2));
+  ExpectImpact(Sweep(rod, turning, ball, Straight(at, {0, 0, 0})), impact / (std::numbers::pi / 2));
   // Its other end, after half a turn more; and as the second of the two.
   turning.rotation = {0, 0, -20 * std::numbers::pi};
-  ExpectImpact(TimeOfImpact(ball, Straight(at, {0, 0, 0}), rod, turning),
+  ExpectImpact(Sweep(ball, Straight(at, {0, 0, 0}), rod, turning),
                (std::numbers::pi - angle - std::asin(across / distance)) / (20 * std::numbers::pi));
 }
 
@@ -97,13 +105,12 @@ TEST(TimeOfImpact, TurnAboutAnotherPoint_IsThatOfTheFrame) {
   Motion<double> swing = Turning({0, 1, 0}, {0, 0, -std::numbers::pi / 2});
   swing.center = {0, -1, 0};
   EXPECT_NEAR((swing.At(1).translation - Point3(1, 0, 0)).norm(), 0, 1e-15);
-  ExpectImpact(TimeOfImpact(ball, swing, wall, Straight({1.3, 0, 0}, {0, 0, 0})),
-               std::asin(0.7) / (std::numbers::pi / 2));
+  ExpectImpact(Sweep(ball, swing, wall, Straight({1.3, 0, 0}, {0, 0, 0})), std::asin(0.7) / (std::numbers::pi / 2));
 }
 
 TEST(TimeOfImpact, TriangleOnTriangle_FlatSetsOfNoInterior) {
   const RoundedSet floor{Triangle<double>({-1, -1, 0}, {1, -1, 0}, {0, 1, 0})};
-  ExpectImpact(TimeOfImpact(floor, Straight({0, 0, 0}, {0, 0, 0}), floor, Straight({0.1, 0, 1}, {0, 0, -2})), 0.5);
+  ExpectImpact(Sweep(floor, Straight({0, 0, 0}, {0, 0, 0}), floor, Straight({0.1, 0, 1}, {0, 0, -2})), 0.5);
 }
 
 TEST(TimeOfImpact, FarFromTheOrigin_AsNear) {
@@ -112,14 +119,14 @@ TEST(TimeOfImpact, FarFromTheOrigin_AsNear) {
   SweepSettings<double> settings;
   settings.tolerance = 1e-8;
   const auto result =
-      TimeOfImpact(box, Straight(far, {0, 0, 0}), box, Straight(far + Point3(0, 0, 2.2), {0, 0, -2}), settings);
+      Sweep(box, Straight(far, {0, 0, 0}), box, Straight(far + Point3(0, 0, 2.2), {0, 0, -2}), settings);
   EXPECT_EQ(result.status, Status::kTouching);
   EXPECT_NEAR(result.time, 0.5, 1e-7);
 }
 
 TEST(TimeOfImpact, OverlapFromTheStart_IsSaidAtOnce) {
   const auto ball = Sphere(0.5);
-  const auto result = TimeOfImpact(ball, Straight({0, 0, 0}, {0, 0, 0}), ball, Straight({0.9, 0, 0}, {5, 0, 0}));
+  const auto result = Sweep(ball, Straight({0, 0, 0}, {0, 0, 0}), ball, Straight({0.9, 0, 0}, {5, 0, 0}));
   EXPECT_EQ(result.status, Status::kColliding);
   EXPECT_EQ(result.time, 0);
   EXPECT_NEAR(result.separation, -0.1, 1e-12);
@@ -128,14 +135,14 @@ TEST(TimeOfImpact, OverlapFromTheStart_IsSaidAtOnce) {
 
 TEST(TimeOfImpact, TouchFromTheStart_IsAnImpactWhereverTheyGo) {
   const RoundedSet box{Box<double>({0.5, 0.5, 0.5})};
-  const auto result = TimeOfImpact(box, Straight({0, 0, 0}, {0, 0, 0}), box, Straight({0, 0, 1}, {0, 0, 1}));
+  const auto result = Sweep(box, Straight({0, 0, 0}, {0, 0, 0}), box, Straight({0, 0, 1}, {0, 0, 1}));
   EXPECT_EQ(result.status, Status::kTouching);
   EXPECT_EQ(result.time, 0);
 }
 
 TEST(TimeOfImpact, NoMotion_NoImpact) {
   const auto ball = Sphere(0.5);
-  const auto result = TimeOfImpact(ball, {}, ball, Straight({1.01, 0, 0}, {0, 0, 0}));
+  const auto result = Sweep(ball, {}, ball, Straight({1.01, 0, 0}, {0, 0, 0}));
   EXPECT_EQ(result.status, Status::kSeparated);
   EXPECT_EQ(result.planes, 1);
 }
@@ -144,12 +151,12 @@ TEST(TimeOfImpact, TooFewPlanes_StillNeverLate) {
   const RoundedSet ellipsoid{Ellipsoid<double>({1, 0.2, 0.5})};
   Motion<double> motion = Straight({3, 0.4, 0}, {-4, 0, 0});
   motion.rotation = {0.5, 1, 2};
-  const auto full = TimeOfImpact(ellipsoid, Motion<double>(), ellipsoid, motion);
+  const auto full = Sweep(ellipsoid, Motion<double>(), ellipsoid, motion);
   ASSERT_EQ(full.status, Status::kTouching);
   ASSERT_GT(full.planes, 2);
   SweepSettings<double> settings;
   settings.max_planes = 2;
-  const auto stopped = TimeOfImpact(ellipsoid, Motion<double>(), ellipsoid, motion, settings);
+  const auto stopped = Sweep(ellipsoid, Motion<double>(), ellipsoid, motion, settings);
   EXPECT_EQ(stopped.status, Status::kIterationLimit);
   EXPECT_GT(stopped.time, 0);
   EXPECT_LT(stopped.time, full.time);
@@ -162,8 +169,8 @@ TEST(TimeOfImpact, NotANumberAnywhere_IsInvalid) {
   for (const double bad : {nan, inf, -inf}) {
     for (const Motion<double>& motion :
          {Straight({bad, 0, 0}, {0, 0, 0}), Straight({0, 0, 0}, {0, bad, 0}), Turning({0, 0, 0}, {0, 0, bad})}) {
-      EXPECT_EQ(TimeOfImpact(ball, motion, ball, away).status, Status::kInvalidInput);
-      EXPECT_EQ(TimeOfImpact(ball, away, ball, motion).status, Status::kInvalidInput);
+      EXPECT_EQ(Sweep(ball, motion, ball, away).status, Status::kInvalidInput);
+      EXPECT_EQ(Sweep(ball, away, ball, motion).status, Status::kInvalidInput);
     }
   }
 }

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <string>
 
-#include "support/any_set.h"
 #include "support/reference_set.h"
+#include "support/solver_pair.h"
 
 namespace dgd_test {
 

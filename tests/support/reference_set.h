@@ -23,7 +23,7 @@ enum class CoreType {
   kMesh,
   kDsf,
 };
-/// Those that AnySet holds.
+/// Those that a SolverPair is made of.
 inline constexpr std::array<CoreType, 7> kCoreTypes = {CoreType::kPoint,   CoreType::kSegment,  CoreType::kTriangle,
                                                        CoreType::kBox,     CoreType::kCylinder, CoreType::kCone,
                                                        CoreType::kPolytope};

@@ -12,6 +12,7 @@
 #include "dgd/certificate.h"
 #include "dgd/growth_distance.h"
 #include "dgd/shapes.h"
+#include "support/pairs/any_pair.h"
 #include "support/random.h"
 
 namespace dgd_test {
@@ -56,14 +57,15 @@ Shares CheckWalk(const Make1& make_1, const Make2& make_2) {
     using Set2 = std::remove_cvref_t<decltype(set_2)>;
     const Pose pose_1{random.Rotation(), random.InCube()};
     const Pose pose_2{random.Rotation(), pose_1.translation + random.Uniform(0.2, 5) * random.UnitVector()};
-    const auto result = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2);
+    const AnyPair<double, 3> pair(Erase(set_1), pose_1, Erase(set_2), pose_2);
+    const auto result = pair.GrowthDistance();
     EXPECT_EQ(result.status, dgd::Status::kOptimal);
-    const dgd::Certificate certificate = dgd::Certify(set_1, pose_1, set_2, pose_2, result);
+    const dgd::Certificate certificate = pair.Certify(result);
     EXPECT_LE(certificate.primal_infeasibility, 1e-13);
     EXPECT_LE(certificate.dual_infeasibility, 1e-14);
     EXPECT_LE(certificate.relative_gap, 1.0001 * dgd::kSqrtEpsilon<double>);
     EXPECT_LE(certificate.separation_error, 1e-13);
-    const auto cut = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2, {.second_order = false});
+    const auto cut = pair.GrowthDistance({.second_order = false});
     EXPECT_LE(result.lower_bound, cut.upper_bound * (1 + 1e-12));
     EXPECT_LE(cut.lower_bound, result.upper_bound * (1 + 1e-12));
 

@@ -55,11 +55,12 @@ dgd::CollisionResult<S, L> AnyPair<S, L>::DetectCollision(const dgd::Settings<S>
 template <class S, int L>
 dgd::SignedDistanceResult<S> AnyPair<S, L>::SignedDistance(const dgd::Result<S>& growth,
                                                            const dgd::WarmStart<S>* warm_start,
-                                                           const dgd::Settings<S>& settings) const requires(L == 3) {
+                                                           const dgd::Settings<S>& settings,
+                                                           dgd::WarmStart<S>* follow) const requires(L == 3) {
   if constexpr (L == 3) {  // Clang 14 instantiates this in the plane all the same.
     return std::visit(
         [&](const auto& a, const auto& b) {
-          return dgd::SignedDistance(a, pose_1_, b, pose_2_, growth, warm_start, settings);
+          return dgd::SignedDistance(a, pose_1_, b, pose_2_, growth, warm_start, settings, follow);
         },
         set_1_, set_2_);
   } else {
@@ -68,11 +69,24 @@ dgd::SignedDistanceResult<S> AnyPair<S, L>::SignedDistance(const dgd::Result<S>&
 }
 
 template <class S, int L>
-dgd::TimeOfImpactResult<S> AnyPair<S, L>::TimeOfImpact(const dgd::Motion<S>& motion_1,
-                                                       const dgd::Motion<S>& motion_2) const requires(L == 3) {
+dgd::SignedDistanceResult<S> AnyPair<S, L>::FollowDistance(const dgd::Settings<S>& settings,
+                                                           dgd::WarmStart<S>& state) const requires(L == 3) {
   if constexpr (L == 3) {  // As above.
-    return std::visit([&](const auto& a, const auto& b) { return dgd::TimeOfImpact(a, motion_1, b, motion_2); }, set_1_,
-                      set_2_);
+    return std::visit(
+        [&](const auto& a, const auto& b) { return dgd::FollowDistance(a, pose_1_, b, pose_2_, settings, state); },
+        set_1_, set_2_);
+  } else {
+    return {};
+  }
+}
+
+template <class S, int L>
+dgd::TimeOfImpactResult<S> AnyPair<S, L>::TimeOfImpact(const dgd::Motion<S>& motion_1, const dgd::Motion<S>& motion_2,
+                                                       const dgd::SweepSettings<S>& settings) const requires(L == 3) {
+  if constexpr (L == 3) {  // As above.
+    return std::visit(
+        [&](const auto& a, const auto& b) { return dgd::TimeOfImpact(a, motion_1, b, motion_2, settings); }, set_1_,
+        set_2_);
   } else {
     return {};
   }

@@ -1,8 +1,9 @@
-// Two sets of any types and their poses behind one interface.
+// Two sets of any types and their poses behind one interface, for which the solver is compiled once and not in every
+// test that asks.
 #pragma once
 
 #include <functional>
-#include <variant>
+#include <utility>
 
 #include "dgd/certificate.h"
 #include "dgd/growth_distance.h"
@@ -21,25 +22,33 @@ class AnyPair {
  public:
   using Point = dgd::Vector<double, L>;
   using Observer = std::function<void(const dgd::Iterate<S, L>&)>;
-  using Set = std::variant<dgd::RoundedSet<ErasedVertexCore<S, L>>, dgd::RoundedSet<ErasedSmoothCore<S, L>>,
-                           dgd::RoundedSet<ErasedPlainCore<S, L>>>;
+  using Set = AnySet<S, L>;
 
+  AnyPair(Set set_1, const dgd::Pose<S, L>& pose_1, Set set_2, const dgd::Pose<S, L>& pose_2)
+      : set_1_(std::move(set_1)), set_2_(std::move(set_2)), pose_1_(pose_1), pose_2_(pose_2) {}
   /// The pair that the numbers say, both of dimension L. Throws std::invalid_argument otherwise.
   explicit AnyPair(const PairNumbers& numbers);
 
   void MoveTo(const PoseNumbers& pose_1, const PoseNumbers& pose_2);
+  void MoveTo(const dgd::Pose<S, L>& pose_1, const dgd::Pose<S, L>& pose_2) {
+    pose_1_ = pose_1;
+    pose_2_ = pose_2;
+  }
 
   /// @param observer  May be empty: then it costs a comparison in each iteration.
-  dgd::Result<S, L> GrowthDistance(const dgd::Settings<S>& settings, dgd::WarmStart<S, L>* warm_start = nullptr,
+  dgd::Result<S, L> GrowthDistance(const dgd::Settings<S>& settings = {}, dgd::WarmStart<S, L>* warm_start = nullptr,
                                    const Observer& observer = {}) const;
-  dgd::CollisionResult<S, L> DetectCollision(const dgd::Settings<S>& settings,
+  dgd::CollisionResult<S, L> DetectCollision(const dgd::Settings<S>& settings = {},
                                              dgd::WarmStart<S, L>* warm_start = nullptr) const;
   dgd::SignedDistanceResult<S> SignedDistance(const dgd::Result<S>& growth,
                                               const dgd::WarmStart<S>* warm_start = nullptr,
-                                              const dgd::Settings<S>& settings = {}) const requires(L == 3);
-  /// The motions' starts are the poses, whatever MoveTo() said.
-  dgd::TimeOfImpactResult<S> TimeOfImpact(const dgd::Motion<S>& motion_1, const dgd::Motion<S>& motion_2) const
+                                              const dgd::Settings<S>& settings = {},
+                                              dgd::WarmStart<S>* follow = nullptr) const requires(L == 3);
+  dgd::SignedDistanceResult<S> FollowDistance(const dgd::Settings<S>& settings, dgd::WarmStart<S>& state) const
       requires(L == 3);
+  /// The motions' starts are the poses, whatever MoveTo() said.
+  dgd::TimeOfImpactResult<S> TimeOfImpact(const dgd::Motion<S>& motion_1, const dgd::Motion<S>& motion_2,
+                                          const dgd::SweepSettings<S>& settings = {}) const requires(L == 3);
   dgd::Certificate Certify(const dgd::Result<S, L>& result) const;
   dgd::SignedDistanceCertificate Certify(const dgd::SignedDistanceResult<S>& result) const requires(L == 3);
 

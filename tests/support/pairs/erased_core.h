@@ -7,6 +7,7 @@
 #include <memory>
 #include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "dgd/convex_set.h"
 
@@ -186,6 +187,16 @@ auto Erase(Core core) {
   using ErasedFlat = std::conditional_t<dgd::VertexCore<Core>, ErasedVertexCore<S, L>, ErasedPlainCore<S, L>>;
   using Erased = std::conditional_t<dgd::SmoothCore<Core>, ErasedSmoothCore<S, L>, ErasedFlat>;
   return Erased(std::make_shared<CoreAnswers<Core>>(std::move(core)));
+}
+
+/// A set of any type.
+template <class S, int L>
+using AnySet = std::variant<dgd::RoundedSet<ErasedVertexCore<S, L>>, dgd::RoundedSet<ErasedSmoothCore<S, L>>,
+                            dgd::RoundedSet<ErasedPlainCore<S, L>>>;
+
+template <class Core>
+AnySet<typename Core::Scalar, dgd::kDimension<Core>> Erase(const dgd::RoundedSet<Core>& set) {
+  return dgd::RoundedSet{Erase(set.core), set.radius};
 }
 
 }  // namespace dgd_test
