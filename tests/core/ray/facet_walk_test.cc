@@ -121,7 +121,7 @@ double ShareAnsweredAnew(int least_vertices, int most_vertices, const Vector3d& 
                          double radius = 0) {
   Random random(TestSeed());
   int answered = 0;
-  const int asked = TestCount(1000, 100);
+  const int asked = TestCount(400, 100);
   for (int i = 0; i < asked; ++i) {
     const auto vertices = [&] { return least_vertices + random.Below(most_vertices - least_vertices + 1); };
     const Core core_1(OnEllipsoid(random, vertices(), radii)), core_2(OnEllipsoid(random, vertices(), radii));
