@@ -228,9 +228,12 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObj
 }
 
 Footing ConvexConvexAlgorithm::FootingOfContacts() const {
-  if (manifold_->getNumContacts() < kFewestOfFooting) return {};
-  // Where edges of two faces cross that are nearly parallel, the normal is neither's, and turns with both.
-  return FootingOn(face_holder_ != dgd::FaceHolder::kNone ? face_holder_ : dgd::FaceHolder::kSet1, *manifold_);
+  if (face_holder_ != dgd::FaceHolder::kNone) return FootingOn(face_holder_, *manifold_);
+  // Where edges of two faces cross that are nearly parallel, the normal is neither's, and turns with both. That of
+  // edges alone may turn by more than either body does.
+  constexpr int kFewestOfTwoFaces = 3;
+  if (manifold_->getNumContacts() < kFewestOfTwoFaces) return {};
+  return FootingOn(dgd::FaceHolder::kSet1, *manifold_);
 }
 
 void ConvexConvexAlgorithm::FindNormal(Query& query) {
@@ -329,12 +332,15 @@ void ConvexConvexAlgorithm::RememberRest(const btCollisionObjectWrapper& body_a,
   if (!options.keep_resting_contacts || !owns_manifold_ || !options.contact_patch || !options.warm_start) return;
   const auto breaking_threshold = double(manifold_->getContactBreakingThreshold());
   const bool is_still = motion.IsWithin(RestingDistance(breaking_threshold));
-  if (!is_still && manifold_->getNumContacts() < kFewestOfFooting) return;
-  const double drift = is_still ? 0 : motion.Drift(FromBullet(manifold_->getContactPoint(0).m_positionWorldOnB));
-  // What bodies lie on that go faster is of no account.
-  if (!(drift <= MostDrift(breaking_threshold))) return;
-  const Footing footing = FootingOfContacts();
-  if (!is_still && !footing.Allows(drift)) return;
+  const bool can_stand = manifold_->getNumContacts() >= FewestOfFooting(body_a, body_b);
+  if (!is_still) {
+    if (!can_stand) return;
+    // What bodies lie on that go faster is of no account.
+    const Vector3 contact = FromBullet(manifold_->getContactPoint(0).m_positionWorldOnB);
+    if (!(motion.Slip(contact) <= MostDrift(breaking_threshold))) return;
+  }
+  const Footing footing = can_stand ? FootingOfContacts() : Footing();
+  if (!is_still && !Holds(footing, motion, *manifold_)) return;
   if (!RestingPair::CanTell(body_a, body_b, breaking_threshold, footing)) return;
   const RestingPair resting(body_a, body_b, *manifold_, footing);
   if (resting_ != nullptr) {

@@ -56,10 +56,12 @@ class PairMotion {
     return time_step_ * a_.Speed() <= distance && time_step_ * b_.Speed() <= distance;
   }
 
-  /// No point of either body goes farther in the time step, against the other where the two meet; metres.
-  double Drift(const Vector3& meeting_point) const {
-    const double slip = (a_.VelocityAt(meeting_point) - b_.VelocityAt(meeting_point)).norm();
-    return time_step_ * (slip + (a_.angular - b_.angular).norm() * std::min(a_.reach, b_.reach));
+  /// How far one body's point that is at a world point goes, as the other body sees it; metres.
+  double Slip(const Vector3& point) const { return time_step_ * (a_.VelocityAt(point) - b_.VelocityAt(point)).norm(); }
+  /// How far the smaller body's rim goes as a direction of its own, now the world's `normal`, tilts in the other's
+  /// eyes; metres.
+  double Tilt(const Vector3& normal) const {
+    return time_step_ * (a_.angular - b_.angular).cross(normal).norm() * std::min(a_.reach, b_.reach);
   }
 
   /// The way of a pose that is fixed to a body over the time step.

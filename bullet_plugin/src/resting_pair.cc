@@ -6,6 +6,7 @@
 #include <BulletCollision/CollisionShapes/btConvexInternalShape.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "contact_materials.h"
@@ -16,6 +17,11 @@
 
 namespace dgd_bullet {
 namespace {
+
+/// How much more the rim of a body counts that tilts than contacts that slide: what tilts may bring down a corner that
+/// is no contact. By measurement, depths are off by up to 25 micrometres with 1, 4.3 with 1.5, 0.4 with 2 and with 8
+/// (dispatcher_replay, in float).
+constexpr double kTiltWeight = 2;
 
 /// The numbers that make a shape what it is, besides its margin; of hulls of points, the hull knows.
 btVector3 SizeOf(const btConvexShape& shape, int type) {
@@ -47,6 +53,11 @@ bool HasComparableShape(const btCollisionObjectWrapper& body) {
   }
 }
 
+bool IsPolytope(const btCollisionObjectWrapper& body) {
+  const int type = body.getCollisionShape()->getShapeType();
+  return type == BOX_SHAPE_PROXYTYPE || IsHullOfPoints(type);
+}
+
 bool HasPlainMaterial(const btCollisionObject& body) {
   constexpr int kSeenByTheApp = btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK |
                                 btCollisionObject::CF_HAS_CONTACT_STIFFNESS_DAMPING |
@@ -60,11 +71,12 @@ bool IsFarAboveRounding(double distance, const btCollisionObjectWrapper& body) {
   return distance >= kDigits * double(body.getWorldTransform().getOrigin().length());
 }
 
-/// Of two rotations' difference: no unit vector's ends are farther apart.
+/// How far apart two rotations bring a unit vector's end, at most: their difference has that as a singular value twice,
+/// and 0.
 btScalar Turn(const btMatrix3x3& from, const btMatrix3x3& to) {
-  btScalar turn_sq = 0;
-  for (int row = 0; row < 3; ++row) turn_sq += (to[row] - from[row]).length2();
-  return btSqrt(turn_sq);
+  btScalar twice_sq = 0;
+  for (int row = 0; row < 3; ++row) twice_sq += (to[row] - from[row]).length2();
+  return btSqrt(twice_sq / 2);
 }
 
 /// A bound on the way of the points of a body whose farthest one is at most `reach` from its origin.
@@ -72,24 +84,54 @@ btScalar Way(const btTransform& from, const btTransform& to, btScalar reach) {
   return (to.getOrigin() - from.getOrigin()).length() + reach * Turn(from.getBasis(), to.getBasis());
 }
 
+/// Where a contact is on a body, in the frame of its shape, which may be a compound's child.
+btVector3 PointOn(const btCollisionObjectWrapper& body, const btManifoldPoint& contact,
+                  const btPersistentManifold& manifold) {
+  const btCollisionObject* object = body.getCollisionObject();
+  const btVector3& in_object = manifold.getBody0() == object ? contact.m_localPointA : contact.m_localPointB;
+  const btTransform &pose = body.getWorldTransform(), &object_pose = object->getWorldTransform();
+  return &pose == &object_pose ? in_object : pose.invXform(object_pose * in_object);
+}
+
 }  // namespace
 
+int FewestOfFooting(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b) {
+  return IsPolytope(body_a) && IsPolytope(body_b) ? 1 : 3;
+}
+
 Footing FootingOn(dgd::FaceHolder holder, const btPersistentManifold& manifold) {
-  // Of the breaking threshold. By measurement: without the limit, depths are off by up to 25 micrometres in place of 4
-  // (dispatcher_replay, with half the drift).
+  // Of the breaking threshold.
   constexpr double kRise = 5e-4;
   const auto breaking_threshold = double(manifold.getContactBreakingThreshold());
   const double most_rise = kRise * breaking_threshold, most_drift = MostDrift(breaking_threshold);
-  const btManifoldPoint &first = manifold.getContactPoint(0), &second = manifold.getContactPoint(1),
-                        &third = manifold.getContactPoint(2);
-  const btVector3 to_second = second.m_positionWorldOnB - first.m_positionWorldOnB,
-                  to_third = third.m_positionWorldOnB - first.m_positionWorldOnB;
-  const btScalar rise_2 = second.getDistance() - first.getDistance(),
-                 rise_3 = third.getDistance() - first.getDistance();
-  // The surfaces part by rise / area of a way across the normal, where they part most.
-  const auto rise = double((rise_2 * to_third - rise_3 * to_second).length());
-  const auto area = double(to_second.cross(to_third).length());
-  return {holder, most_drift * rise <= most_rise * area ? most_drift : most_rise * area / rise};
+  // The surfaces part by rise / run of a way across the normal, where they part most: those of an edge along it, and of
+  // a corner nowhere.
+  double rise = 0, run = 0;
+  const btManifoldPoint& first = manifold.getContactPoint(0);
+  if (manifold.getNumContacts() > 1) {
+    const btManifoldPoint& second = manifold.getContactPoint(1);
+    const btVector3 to_second = second.m_positionWorldOnB - first.m_positionWorldOnB;
+    const btScalar rise_2 = second.getDistance() - first.getDistance();
+    if (manifold.getNumContacts() == 2) {
+      rise = std::abs(double(rise_2));
+      run = double(to_second.length());
+    } else {
+      const btManifoldPoint& third = manifold.getContactPoint(2);
+      const btVector3 to_third = third.m_positionWorldOnB - first.m_positionWorldOnB;
+      const btScalar rise_3 = third.getDistance() - first.getDistance();
+      rise = double((rise_2 * to_third - rise_3 * to_second).length());
+      run = double(to_second.cross(to_third).length());
+    }
+  }
+  return {holder, most_drift * rise <= most_rise * run ? most_drift : most_rise * run / rise};
+}
+
+bool Holds(const Footing& footing, const PairMotion& motion, const btPersistentManifold& manifold) {
+  if (footing.holder == dgd::FaceHolder::kNone) return false;
+  for (int i = 0; i < manifold.getNumContacts(); ++i) {
+    if (!(motion.Slip(FromBullet(manifold.getContactPoint(i).m_positionWorldOnB)) <= footing.max_drift)) return false;
+  }
+  return kTiltWeight * motion.Tilt(FromBullet(manifold.getContactPoint(0).m_normalWorldOnB)) <= footing.max_drift;
 }
 
 RestingPair::RestingPair(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
@@ -115,7 +157,7 @@ RestingPair::Since RestingPair::Compare(const btCollisionObjectWrapper& body_a, 
                                         const btPersistentManifold& manifold, const Hull& hull_a,
                                         const Hull& hull_b) const {
   if (manifold.getNumContacts() != contacts_) return Since::kChanged;
-  const Since places = ComparePlaces(body_a, body_b, double(manifold.getContactBreakingThreshold()));
+  const Since places = ComparePlaces(body_a, body_b, manifold);
   const bool is_comparable = places != Since::kChanged && IsSameShape(sides_[0], body_a, hull_a) &&
                              IsSameShape(sides_[1], body_b, hull_b) && HasPlainMaterial(*body_a.getCollisionObject()) &&
                              HasPlainMaterial(*body_b.getCollisionObject());
@@ -124,23 +166,29 @@ RestingPair::Since RestingPair::Compare(const btCollisionObjectWrapper& body_a, 
 
 /// Changed also where a pose is not finite.
 RestingPair::Since RestingPair::ComparePlaces(const btCollisionObjectWrapper& body_a,
-                                              const btCollisionObjectWrapper& body_b, double breaking_threshold) const {
+                                              const btCollisionObjectWrapper& body_b,
+                                              const btPersistentManifold& manifold) const {
   const btTransform &pose_a = body_a.getWorldTransform(), &pose_b = body_b.getWorldTransform();
-  const auto reach_a = btScalar(Reach(*body_a.getCollisionObject(), pose_a.getOrigin()));
-  const auto reach_b = btScalar(Reach(*body_b.getCollisionObject(), pose_b.getOrigin()));
-  const auto distance = btScalar(RestingDistance(breaking_threshold));
-  if (Way(sides_[0].pose, pose_a, reach_a) <= distance && Way(sides_[1].pose, pose_b, reach_b) <= distance) {
+  const auto distance = btScalar(RestingDistance(double(manifold.getContactBreakingThreshold())));
+  if (Way(sides_[0].pose, pose_a, sides_[0].reach) <= distance &&
+      Way(sides_[1].pose, pose_b, sides_[1].reach) <= distance) {
     return Since::kStill;
   }
   if (footing_.holder == dgd::FaceHolder::kNone) return Since::kChanged;
-  // The points of either body, seen from the other, move by as much where the two meet.
+  // Body B's motion as body A sees it: a point x of B's goes by turn * x + shift.
   const btTransform between = pose_a.inverseTimes(pose_b);
-  const btScalar turn = Turn(between_.getBasis(), between.getBasis());
-  const btVector3 way = reach_a < reach_b
-                            ? between_.getOrigin() * between_.getBasis() - between.getOrigin() * between.getBasis()
-                            : between.getOrigin() - between_.getOrigin();
-  const btScalar drift = way.length() + std::min(reach_a, reach_b) * turn;
-  return drift <= btScalar(footing_.max_drift) ? Since::kMovedTogether : Since::kChanged;
+  const btMatrix3x3 turn = between.getBasis() - between_.getBasis();
+  const btVector3 shift = between.getOrigin() - between_.getOrigin();
+  const btVector3 normal_on_b =
+      footing_.holder == dgd::FaceHolder::kSet1 ? held_normal_ * between_.getBasis() : held_normal_;
+  const btScalar reach = std::min(sides_[0].reach, sides_[1].reach);
+  btScalar drift_sq = btScalar(kTiltWeight * kTiltWeight) * reach * reach * (turn * normal_on_b).length2();
+  for (int i = 0; i < contacts_; ++i) {
+    const btVector3 contact = PointOn(body_b, manifold.getContactPoint(i), manifold);
+    drift_sq = std::max((turn * contact + shift).length2(), drift_sq);  // In this order no NaN is lost.
+  }
+  const auto max_drift = btScalar(footing_.max_drift);
+  return drift_sq <= max_drift * max_drift ? Since::kMovedTogether : Since::kChanged;
 }
 
 void RestingPair::Follow(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
@@ -155,7 +203,9 @@ void RestingPair::Follow(const btCollisionObjectWrapper& body_a, const btCollisi
 RestingPair::Side RestingPair::SideOf(const btCollisionObjectWrapper& body) {
   const auto& shape = static_cast<const btConvexShape&>(*body.getCollisionShape());
   const int type = shape.getShapeType();
-  return {&shape, type, UpAxis(shape), SizeOf(shape, type), shape.getMargin(), body.getWorldTransform()};
+  const btTransform& pose = body.getWorldTransform();
+  const auto reach = btScalar(Reach(*body.getCollisionObject(), pose.getOrigin()));
+  return {&shape, type, UpAxis(shape), SizeOf(shape, type), shape.getMargin(), reach, pose};
 }
 
 bool RestingPair::IsSameShape(const Side& then, const btCollisionObjectWrapper& body, const Hull& hull) {

@@ -8,7 +8,8 @@
 // Bodies that sink, sway or are carried along together keep theirs as well, where a face of one holds the contact or
 // two faces meet: the normal turns with the face, and along that the refresh is exact for the very points. What the
 // bodies have moved by against each other may then be more, for it only leaves the points where they are on the face;
-// the distance of what would be found instead differs by that way times the angle between the surfaces. Between two
+// the distance of what would be found instead differs by that way times the angle between the surfaces. The way is that
+// of the contacts, or what the smaller body tilts by against the other: about the normal it may turn. Between two
 // turns of the normal the bodies are still, and nothing but distances changes: a change in each step, be it of the
 // points' order alone, makes bodies tremble.
 #pragma once
@@ -28,6 +29,8 @@ struct btCollisionObjectWrapper;
 
 namespace dgd_bullet {
 
+class PairMotion;
+
 /// Distance that counts as none, in metres, for a manifold with this breaking threshold: 20 micrometres for large
 /// bodies. Five times as much saves another tenth of a heap's narrowphase time, and triples the speed that a pyramid is
 /// left with (0.012 to 0.038 mm/s).
@@ -38,21 +41,23 @@ struct Footing {
   dgd::FaceHolder holder = dgd::FaceHolder::kNone;  ///< Whose face it is that the contacts' normal turns with.
   /// How far the bodies may go against each other before the contacts are found anew, metres.
   double max_drift = 0;
-
-  bool Allows(double drift) const { return holder != dgd::FaceHolder::kNone && drift <= max_drift; }
 };
 
-/// On fewer contacts a body rolls, and is pushed on by points that turn with it: they are no footing.
-constexpr int kFewestOfFooting = 3;
+/// On fewer contacts a body rolls, and is pushed on by points that turn with it: they are no footing. Polytopes do not:
+/// one stands on a face by a corner of its own as well.
+int FewestOfFooting(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b);
 
 /// What no footing's drift exceeds, metres: 1.6 mm for large bodies. By measurement: with an eighth of it, a heap's
 /// narrowphase takes 10 % more, and it comes to rest 2 s later, for whatever is found anew has changed a little
 /// (big_scenes --scenes boxes).
 constexpr double MostDrift(double breaking_threshold) { return 8e-2 * breaking_threshold; }
 
-/// The footing of kFewestOfFooting contacts or more on a holder's face. Its drift is MostDrift(), or less where the
+/// The footing of FewestOfFooting() contacts or more on a holder's face. Its drift is MostDrift(), or less where the
 /// surfaces are not as good as parallel, so that no distance changes by more than 10 micrometres on the way.
 Footing FootingOn(dgd::FaceHolder holder, const btPersistentManifold& manifold);
+
+/// Whether the footing of one contact or more lasts for the time step at least.
+bool Holds(const Footing& footing, const PairMotion& motion, const btPersistentManifold& manifold);
 
 /// A pair as it was when its contacts were found. The two bodies in the order that they are solved in.
 class RestingPair {
@@ -91,13 +96,14 @@ class RestingPair {
     int axis;  // Another shape of the same size may have taken the address.
     btVector3 size;
     btScalar margin;
+    btScalar reach;  // From the pose's origin to the body's farthest point.
     btTransform pose;
   };
 
   static Side SideOf(const btCollisionObjectWrapper& body);
   static bool IsSameShape(const Side& then, const btCollisionObjectWrapper& body, const Hull& hull);
   Since ComparePlaces(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
-                      double breaking_threshold) const;
+                      const btPersistentManifold& manifold) const;
 
   std::array<Side, 2> sides_;
   btTransform between_;  // Pose of body B seen from body A.

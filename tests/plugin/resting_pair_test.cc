@@ -269,6 +269,33 @@ TEST(RestingPairOption, EdgesThatAreCarriedAlong_AreFoundAnew) {
   EXPECT_EQ(world.statistics().pairs[0].resting, 0U);
 }
 
+/// What slides over a face on one contact: a box on its corner as it is, a ball on a point that is another in each
+/// step.
+TEST(RestingPairOption, OnOneContact_CornersAreKeptAndBallsFoundAnew) {
+  const Eigen::Matrix3d on_corner =
+      Eigen::Quaterniond::FromTwoVectors(Vector(1, 1, 1), Vector::UnitZ()).toRotationMatrix();
+  for (const bool is_ball : {false, true}) {
+    TestWorld world(Route::kConfiguration, Counting());
+    btConvexShape* shape = &world.Make<btBoxShape>(Vec(0.5, 0.5, 0.5));
+    const double margin = double(shape->getMargin());
+    double reach = std::sqrt(3.0) * (0.5 - margin) + margin;
+    if (is_ball) {
+      shape = &world.Make<btSphereShape>(btScalar(0.5));
+      reach = 0.5;
+    }
+    world.Add(world.Make<btBoxShape>(Vec(2, 2, 0.5)), 0, Vec(0, 0, 0));
+    btRigidBody& body = world.Add(*shape, 1, Vec(0, 0, 0));
+    for (int step = 0; step < 40; ++step) {
+      body.setWorldTransform(MakeTransform(on_corner, {1e-4 * step, 0, 0.5 + reach - 0.001}));
+      world.Detect();
+      ASSERT_EQ(world.Points().size(), 1U) << step;
+      EXPECT_NEAR(double(world.Points()[0].getDistance()), -0.001, 1e-6);
+    }
+    const std::uint64_t resting = world.statistics().pairs[0].resting;
+    EXPECT_TRUE(is_ball ? resting == 0 : resting >= 30) << resting;
+  }
+}
+
 /// Sinks, slides and rocks by less than its contacts are kept for: they have the distances that are found anew.
 TEST(RestingPairOption, LittleByLittleOnAFace_DistancesAreThoseFoundAnew) {
   dgd_bullet::Options anew = Counting();
