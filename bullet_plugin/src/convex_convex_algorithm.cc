@@ -227,12 +227,15 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObj
   return Fallback::kInvalid;  // A shape that is not one: NaN or infinite sizes, no points.
 }
 
-Footing ConvexConvexAlgorithm::FootingOfContacts() const {
+Footing ConvexConvexAlgorithm::FootingOfContacts(const btCollisionObjectWrapper& body_a,
+                                                 const btCollisionObjectWrapper& body_b) const {
+  const int contacts = manifold_->getNumContacts();
+  if (contacts < FewestOfFooting(body_a, body_b)) return {};
   if (face_holder_ != dgd::FaceHolder::kNone) return FootingOn(face_holder_, *manifold_);
   // Where edges of two faces cross that are nearly parallel, the normal is neither's, and turns with both. That of
   // edges alone may turn by more than either body does.
   constexpr int kFewestOfTwoFaces = 3;
-  if (manifold_->getNumContacts() < kFewestOfTwoFaces) return {};
+  if (contacts < kFewestOfTwoFaces) return {};
   return FootingOn(dgd::FaceHolder::kSet1, *manifold_);
 }
 
@@ -331,16 +334,8 @@ void ConvexConvexAlgorithm::RememberRest(const btCollisionObjectWrapper& body_a,
   // Where the options say that contacts come from this step's poses alone, none are kept from an earlier one.
   if (!options.keep_resting_contacts || !owns_manifold_ || !options.contact_patch || !options.warm_start) return;
   const auto breaking_threshold = double(manifold_->getContactBreakingThreshold());
-  const bool is_still = motion.IsWithin(RestingDistance(breaking_threshold));
-  const bool can_stand = manifold_->getNumContacts() >= FewestOfFooting(body_a, body_b);
-  if (!is_still) {
-    if (!can_stand) return;
-    // What bodies lie on that go faster is of no account.
-    const Vector3 contact = FromBullet(manifold_->getContactPoint(0).m_positionWorldOnB);
-    if (!(motion.Slip(contact) <= MostDrift(breaking_threshold))) return;
-  }
-  const Footing footing = can_stand ? FootingOfContacts() : Footing();
-  if (!is_still && !Holds(footing, motion, *manifold_)) return;
+  const Footing footing = FootingOfContacts(body_a, body_b);
+  if (!motion.IsWithin(RestingDistance(breaking_threshold)) && !Lasts(footing, motion, *manifold_)) return;
   if (!RestingPair::CanTell(body_a, body_b, breaking_threshold, footing)) return;
   const RestingPair resting(body_a, body_b, *manifold_, footing);
   if (resting_ != nullptr) {

@@ -77,7 +77,7 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
                   const btDispatcherInfo& info, const btManifoldResult& output);
 
   /// The face that the contacts' normal turns with, if any.
-  Footing FootingOfContacts() const;
+  Footing FootingOfContacts(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b) const;
 
   /// Notes what the contacts have been found for, if the pair will be nearly as it is after the step and the options
   /// say that they are kept.

@@ -39,7 +39,7 @@ constexpr double RestingDistance(double breaking_threshold) { return 1e-3 * brea
 /// What contacts lie on: a face of a body, or none.
 struct Footing {
   dgd::FaceHolder holder = dgd::FaceHolder::kNone;  ///< Whose face it is that the contacts' normal turns with.
-  /// How far the bodies may go against each other before the contacts are found anew, metres.
+  /// How far contacts may slide, and the smaller body's rim tilt by half as much, before they are found anew; metres.
   double max_drift = 0;
 };
 
@@ -47,17 +47,12 @@ struct Footing {
 /// one stands on a face by a corner of its own as well.
 int FewestOfFooting(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b);
 
-/// What no footing's drift exceeds, metres: 1.6 mm for large bodies. By measurement: with an eighth of it, a heap's
-/// narrowphase takes 10 % more, and it comes to rest 2 s later, for whatever is found anew has changed a little
-/// (big_scenes --scenes boxes).
-constexpr double MostDrift(double breaking_threshold) { return 8e-2 * breaking_threshold; }
-
-/// The footing of FewestOfFooting() contacts or more on a holder's face. Its drift is MostDrift(), or less where the
-/// surfaces are not as good as parallel, so that no distance changes by more than 10 micrometres on the way.
+/// The footing of FewestOfFooting() contacts or more on a holder's face. Its drift is 1.6 mm for large bodies, or less
+/// where the surfaces are not as good as parallel, so that no distance changes by more than 10 micrometres on the way.
 Footing FootingOn(dgd::FaceHolder holder, const btPersistentManifold& manifold);
 
 /// Whether the footing of one contact or more lasts for the time step at least.
-bool Holds(const Footing& footing, const PairMotion& motion, const btPersistentManifold& manifold);
+bool Lasts(const Footing& footing, const PairMotion& motion, const btPersistentManifold& manifold);
 
 /// A pair as it was when its contacts were found. The two bodies in the order that they are solved in.
 class RestingPair {

@@ -4,13 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include <vector>
-
 #include "dgd/shapes/box.h"
 #include "dgd/shapes/cone.h"
 #include "dgd/shapes/cylinder.h"
 #include "dgd/shapes/polytope.h"
-#include "support/random.h"
+#include "support/random_sets.h"
 
 namespace dgd_test {
 namespace {
@@ -51,15 +49,13 @@ void Compare(const Set1& set_1, const Set2& set_2) {
 }
 
 template <class S>
-auto RandomHull(Random& random) {
-  std::vector<Eigen::Vector3d> points;
-  for (int i = 0; i < 30; ++i) points.push_back(0.5 * random.UnitVector());
-  return dgd::Polytope<S>(points);
+dgd::Polytope<S> RandomPolytope() {
+  Random random(TestSeed());
+  return dgd::Polytope<S>(RandomHull(random, 30, 1, 0).points);
 }
 
 TEST(AnyPair, Polytopes_AsTheirTypes) {
-  Random random(TestSeed());
-  Compare(dgd::RoundedSet{RandomHull<double>(random), 0.1}, dgd::RoundedSet{dgd::Box<double>({0.3, 0.2, 0.4})});
+  Compare(dgd::RoundedSet{RandomPolytope<double>(), 0.1}, dgd::RoundedSet{dgd::Box<double>({0.3, 0.2, 0.4})});
 }
 
 TEST(AnyPair, CurvedSets_AsTheirTypes) {
@@ -67,8 +63,7 @@ TEST(AnyPair, CurvedSets_AsTheirTypes) {
 }
 
 TEST(AnyPair, SetsInFloat_AsTheirTypes) {
-  Random random(TestSeed());
-  Compare(dgd::RoundedSet{RandomHull<float>(random)}, dgd::RoundedSet{dgd::Box<float>({0.3F, 0.2F, 0.4F}), 0.05F});
+  Compare(dgd::RoundedSet{RandomPolytope<float>()}, dgd::RoundedSet{dgd::Box<float>({0.3F, 0.2F, 0.4F}), 0.05F});
 }
 
 }  // namespace

@@ -20,7 +20,6 @@ template <class S>
 class SignedDistanceTest : public ::testing::Test {
  protected:
   using Vector = dgd::Vector3<S>;
-  using Pair = AnyPair<S, 3>;
 
   static dgd::Pose<S> At(const Vector& translation, const dgd::Matrix3<S>& rotation = dgd::Matrix3<S>::Identity()) {
     return {rotation, translation};
@@ -33,7 +32,7 @@ class SignedDistanceTest : public ::testing::Test {
   template <class Core1, class Core2>
   static dgd::SignedDistanceResult<S> Ask(const dgd::RoundedSet<Core1>& set_1, const dgd::RoundedSet<Core2>& set_2,
                                           const dgd::Pose<S>& pose_2) {
-    const Pair pair(Erase(set_1), {}, Erase(set_2), pose_2);
+    const AnyPair<S, 3> pair(Erase(set_1), {}, Erase(set_2), pose_2);
     dgd::WarmStart<S> warm_start;
     const auto from_basis = pair.SignedDistance(pair.GrowthDistance({}, &warm_start), &warm_start);
     const auto from_nothing = pair.SignedDistance({});

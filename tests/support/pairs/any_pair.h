@@ -22,9 +22,8 @@ class AnyPair {
  public:
   using Point = dgd::Vector<double, L>;
   using Observer = std::function<void(const dgd::Iterate<S, L>&)>;
-  using Set = AnySet<S, L>;
 
-  AnyPair(Set set_1, const dgd::Pose<S, L>& pose_1, Set set_2, const dgd::Pose<S, L>& pose_2)
+  AnyPair(AnySet<S, L> set_1, const dgd::Pose<S, L>& pose_1, AnySet<S, L> set_2, const dgd::Pose<S, L>& pose_2)
       : set_1_(std::move(set_1)), set_2_(std::move(set_2)), pose_1_(pose_1), pose_2_(pose_2) {}
   /// The pair that the numbers say, both of dimension L. Throws std::invalid_argument otherwise.
   explicit AnyPair(const PairNumbers& numbers);
@@ -64,10 +63,10 @@ class AnyPair {
   double Offset() const;
 
  private:
-  const Set& SetOf(Which which) const { return which == Which::kFirst ? set_1_ : set_2_; }
+  const AnySet<S, L>& SetOf(Which which) const { return which == Which::kFirst ? set_1_ : set_2_; }
   const dgd::Pose<S, L>& PoseOf(Which which) const { return which == Which::kFirst ? pose_1_ : pose_2_; }
 
-  Set set_1_, set_2_;
+  AnySet<S, L> set_1_, set_2_;
   dgd::Pose<S, L> pose_1_, pose_2_;
 };
 

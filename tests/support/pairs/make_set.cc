@@ -7,15 +7,15 @@
 namespace dgd_test {
 
 template <class S, int L>
-typename AnyPair<S, L>::Set MakeSet(const SetNumbers& set) {
-  return WithCore<S, L>(set, [&](auto core) -> typename AnyPair<S, L>::Set {
+AnySet<S, L> MakeSet(const SetNumbers& set) {
+  return WithCore<S, L>(set, [&](auto core) -> AnySet<S, L> {
     return dgd::RoundedSet{Erase(std::move(core)), static_cast<S>(set.radius)};
   });
 }
 
-template AnyPair<double, 3>::Set MakeSet<double, 3>(const SetNumbers& set);
-template AnyPair<float, 3>::Set MakeSet<float, 3>(const SetNumbers& set);
-template AnyPair<double, 2>::Set MakeSet<double, 2>(const SetNumbers& set);
-template AnyPair<float, 2>::Set MakeSet<float, 2>(const SetNumbers& set);
+template AnySet<double, 3> MakeSet<double, 3>(const SetNumbers& set);
+template AnySet<float, 3> MakeSet<float, 3>(const SetNumbers& set);
+template AnySet<double, 2> MakeSet<double, 2>(const SetNumbers& set);
+template AnySet<float, 2> MakeSet<float, 2>(const SetNumbers& set);
 
 }  // namespace dgd_test
