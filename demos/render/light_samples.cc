@@ -1,8 +1,9 @@
 #include "render/light_samples.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
+
+#include "render/shortest_turn.h"
 
 namespace dgd_demos {
 namespace {
@@ -22,9 +23,8 @@ double GoldenAngle(int index) { return index * std::numbers::pi * (3 - std::sqrt
 
 LightSample SunSample(int index, int count) {
   const double radius = kSunDiscRadius * std::sqrt((index + 0.5) / count);
-  const Eigen::Quaterniond to_sun = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), kSunDirection);
   const Vector3d on_disc(radius * std::cos(GoldenAngle(index)), radius * std::sin(GoldenAngle(index)), 1);
-  return {to_sun * on_disc.normalized(), kSunStrength};
+  return {ShortestTurn(Vector3d::UnitZ(), kSunDirection) * on_disc.normalized(), kSunStrength};
 }
 
 LightSample SkySample(int index, int count) {

@@ -16,6 +16,7 @@
 #include "render/off_screen.h"
 #include "render/overlay.h"
 #include "render/shaders.h"
+#include "render/shortest_turn.h"
 #include "render/surface_mesh.h"
 
 namespace dgd_demos {
@@ -60,8 +61,7 @@ Ball BallAroundAll(const std::vector<Ball>& balls) {
 
 // An orthogonal view along the light that holds the scene.
 Matrix4d WorldToLight(const Vector3d& direction, const Ball& scene) {
-  const Eigen::Matrix3d world_to_axes =
-      Eigen::Quaterniond::FromTwoVectors(direction, Vector3d::UnitZ()).toRotationMatrix();
+  const Eigen::Matrix3d world_to_axes = ShortestTurn(direction, Vector3d::UnitZ()).toRotationMatrix();
   Matrix4d matrix = Matrix4d::Identity();
   Eigen::Matrix3d scaled = world_to_axes / scene.radius;
   scaled.row(2) *= -1;  // OpenGL's depth grows away from the light.

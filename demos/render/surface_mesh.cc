@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/shortest_turn.h"
 #include "scene/overloaded.h"
 
 namespace dgd_demos {
@@ -43,9 +44,9 @@ SurfaceVertex Offset(const Vector3d& core_point, const Vector3d& normal, double 
 // Unit vectors from `start` to `end`, evenly along the arc between them.
 std::vector<Vector3d> Arc(const Vector3d& start, const Vector3d& end) {
   std::vector<Vector3d> arc;
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(start, end);
+  const Eigen::AngleAxisd turn = ShortestTurn(start, end);
   for (int i = 0; i <= kBevelSteps; ++i) {
-    arc.push_back(Eigen::Quaterniond::Identity().slerp(static_cast<double>(i) / kBevelSteps, turn) * start);
+    arc.push_back(Eigen::AngleAxisd(turn.angle() * i / kBevelSteps, turn.axis()) * start);
   }
   return arc;
 }

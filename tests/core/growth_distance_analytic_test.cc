@@ -77,7 +77,8 @@ Matrix3d TakingToZ(const Vector3d& direction) {
     rotation(1, (axis + 2) % 3) = direction[axis];
     return rotation;
   }
-  return Eigen::Quaterniond::FromTwoVectors(direction, Vector3d::UnitZ()).toRotationMatrix();
+  const Vector3d axis = direction.cross(Vector3d::UnitZ()).normalized();
+  return Eigen::AngleAxisd(std::acos(direction.z()), axis).toRotationMatrix();
 }
 
 /// Turn about z; by 0 to 3 without rounding.

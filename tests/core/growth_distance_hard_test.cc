@@ -339,7 +339,7 @@ TYPED_TEST(GrowthDistanceHard, ExactTouch_OfVerticesEdgesAndFaces) {
   // A cube on its face, its edge and its vertex, the feature down on z = 0.
   const Matrix3d on_edge = Eigen::AngleAxisd(std::numbers::pi / 4, Vector3d::UnitX()).toRotationMatrix();
   const Matrix3d on_vertex =
-      Eigen::Quaterniond::FromTwoVectors(Vector3d(1, 1, 1) / root_3, Vector3d::UnitZ()).toRotationMatrix();
+      Eigen::AngleAxisd(std::acos(1 / root_3), Vector3d(1, -1, 0).normalized()).toRotationMatrix();
   const std::pair<Matrix3d, double> stands[] = {
       {Matrix3d::Identity(), 0.5}, {on_edge, root_2 / 2}, {on_vertex, root_3 / 2}};
   const Matrix3d quarter = AxisRotations()[4];

@@ -287,7 +287,8 @@ TEST_F(ClosedForm, CapsulesCrossing) {
 TEST_F(ClosedForm, BoxCornerOnBoxFace) {
   const double margin = double(box_.getMargin());
   const Vector down = Vector(1, 2, 2) / 3;  // Of the tilted box, in its own frame, towards its corner (+, +, +).
-  const Eigen::Matrix3d tilt = Eigen::Quaterniond::FromTwoVectors(down, -Vector::UnitZ()).toRotationMatrix();
+  const Eigen::Matrix3d tilt =
+      Eigen::AngleAxisd(std::acos(-down.z()), down.cross(-Vector::UnitZ()).normalized()).toRotationMatrix();
   const Vector corner = Vector(0.5, 0.4, 0.3) - Vector::Constant(margin);
   for (const double depth : {-0.001, 0.0, 0.004}) {
     const Vector corner_in_world(0.1, 0.05, 0.3 + margin + depth);

@@ -273,7 +273,7 @@ TEST(RestingPairOption, EdgesThatAreCarriedAlong_AreFoundAnew) {
 /// step.
 TEST(RestingPairOption, OnOneContact_CornersAreKeptAndBallsFoundAnew) {
   const Eigen::Matrix3d on_corner =
-      Eigen::Quaterniond::FromTwoVectors(Vector(1, 1, 1), Vector::UnitZ()).toRotationMatrix();
+      Eigen::AngleAxisd(std::acos(1 / std::sqrt(3.0)), Vector(1, -1, 0).normalized()).toRotationMatrix();
   for (const bool is_ball : {false, true}) {
     TestWorld world(Route::kConfiguration, Counting());
     btConvexShape* shape = &world.Make<btBoxShape>(Vec(0.5, 0.5, 0.5));

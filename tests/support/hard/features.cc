@@ -48,7 +48,7 @@ Matrix3d Upright(Feature feature) {
     case kVertex:
       break;
   }
-  return Eigen::Quaterniond::FromTwoVectors(Vector3d::Ones(), Vector3d::UnitZ()).toRotationMatrix();
+  return Eigen::AngleAxisd(std::acos(1 / std::sqrt(3.0)), Vector3d(1, -1, 0).normalized()).toRotationMatrix();
 }
 
 /// From the cube's centre to it, of half an edge.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 
 #include "dgd/convex_set.h"
 #include "dgd/shapes/support_distance.h"
+#include "dgd/stretch.h"
 #include "dgd/supporting_face.h"
 
 namespace dgd {
@@ -42,8 +42,7 @@ class Transformed {
       : core_(std::move(core)), linear_(linear), offset_(RequireFinite(offset, "the offset of an affine map")) {
     if (!linear.allFinite()) throw std::invalid_argument("the matrix of an affine map must be finite");
     const SquareMatrix<double, L> linear_in_double = linear.template cast<double>();
-    const Vector<double, L> stretches = Eigen::JacobiSVD<SquareMatrix<double, L>>(linear_in_double).singularValues();
-    const double most = stretches[0], least = stretches[L - 1];
+    const auto [most, least] = StretchOf(linear_in_double);
     if (!(least > 0 && most <= double(kMaxCondition) * least)) {
       throw std::invalid_argument(
           "the matrix of an affine map must be invertible, its largest singular value at most " +
