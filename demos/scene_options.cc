@@ -1,5 +1,6 @@
 #include "scene_options.h"
 
+#include <CLI/CLI.hpp>
 #include <sstream>
 #include <system_error>
 #include <vector>

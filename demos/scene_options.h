@@ -2,12 +2,15 @@
 // run.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <optional>
 #include <string>
 
 #include "scene/scene.h"
+
+namespace CLI {
+class App;  // Not included: it takes longer to compile than all else that the programs have.
+}
 
 namespace dgd_demos {
 
