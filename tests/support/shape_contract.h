@@ -1,64 +1,24 @@
 // What dgd_core/include/dgd/convex_set.h asks of a core, checked for one core against the same set as plain numbers.
+//
+// The checks see a core by its functions alone, and are compiled once for each scalar and dimension.
 #pragma once
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-#include <algorithm>
 #include <functional>
-#include <numbers>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "dgd/convex_set.h"
-#include "dgd/ray/tolerances.h"
 #include "dgd/supporting_face.h"
 #include "support/random.h"
 #include "support/reference_set.h"
 
 namespace dgd_test {
 
-/// Random ones.
-inline int DirectionCount() { return TestCount(500, 60); }
-
 /// The directions that decide: axes, face diagonals, space diagonals, with both signs of zero, then random ones.
-inline std::vector<Eigen::Vector3d> Directions(Random& random) {
-  std::vector<Eigen::Vector3d> directions;
-  for (const double x : {-1.0, -0.0, 0.0, 1.0}) {
-    for (const double y : {-1.0, -0.0, 0.0, 1.0}) {
-      for (const double z : {-1.0, -0.0, 0.0, 1.0}) {
-        const Eigen::Vector3d direction(x, y, z);
-        if (direction.norm() > 0) directions.push_back(direction.normalized());
-      }
-    }
-  }
-  for (int i = 0; i < DirectionCount(); ++i) directions.push_back(random.UnitVector());
-  return directions;
-}
-
-/// The same in the plane.
-inline std::vector<Eigen::Vector2d> PlaneDirections(Random& random) {
-  std::vector<Eigen::Vector2d> directions;
-  for (const double x : {-1.0, -0.0, 0.0, 1.0}) {
-    for (const double y : {-1.0, -0.0, 0.0, 1.0}) {
-      const Eigen::Vector2d direction(x, y);
-      if (direction.norm() > 0) directions.push_back(direction.normalized());
-    }
-  }
-  for (int i = 0; i < DirectionCount(); ++i) {
-    const double angle = random.Uniform(0, 2 * std::numbers::pi);
-    directions.emplace_back(std::cos(angle), std::sin(angle));
-  }
-  return directions;
-}
-
-template <int L>
-std::vector<dgd::Vector<double, L>> DirectionsOf(Random& random) {
-  if constexpr (L == 2) {
-    return PlaneDirections(random);
-  } else {
-    return Directions(random);
-  }
-}
+std::vector<Eigen::Vector3d> Directions(Random& random);
 
 /// The set that a core should be, by its support function alone; metres.
 template <int L>
@@ -69,12 +29,7 @@ struct ExpectedSet {
   double reach = 0;   ///< Largest length among the numbers that the core is made of, and the extent.
 };
 
-inline ExpectedSet<3> Expected(const ReferenceSet& reference) {
-  double reach = reference.Extent();
-  for (const Eigen::Vector3d& point : reference.points) reach = std::max(reach, point.norm());
-  return {[reference](const Eigen::Vector3d& direction) { return reference.Height(direction); }, reference.Extent(),
-          reach};
-}
+ExpectedSet<3> Expected(const ReferenceSet& reference);
 
 /// The hull of points.
 template <int L>
@@ -92,231 +47,81 @@ ExpectedSet<L> ExpectedHull(const std::vector<dgd::Vector<double, L>>& points) {
   return expected;
 }
 
-/// Lengths of a core of this extent, and of the numbers it is made of, are right to this; metres.
+/// A core of either dimension by its functions: what the concepts of convex_set.h ask for. Those that a core has not
+/// are empty.
 template <class S, int L>
-double Rounding(const ExpectedSet<L>& expected) {
-  return 8 * double(dgd::kEpsilon<S>) * expected.reach;
-}
+struct CoreFunctions {
+  using Vector = dgd::Vector<S, L>;
+  using Support = dgd::SupportPoint<S, L>;
 
-/// The point of the named piece is the support point; and see CheckPieces().
-template <dgd::SmoothCore Core>
-void CheckPieceOf(const Core& core, const dgd::VectorOf<Core>& direction,
-                  const dgd::SupportPoint<typename Core::Scalar, dgd::kDimension<Core>>& support, double tolerance) {
-  ASSERT_LT(support.feature, core.PieceCount());
-  const auto piece = core.PieceSupport(support.feature, direction);
-  EXPECT_LE(double((piece.point - support.point).norm()), tolerance) << direction.transpose();
-}
+  std::function<Support(const Vector&)> support;
+  std::function<Vector()> center;
+  std::function<S()> inradius;
+  std::function<S(const Vector&)> support_value, distance;
+  // VertexCore.
+  std::function<Vector(dgd::VertexId)> vertex;
+  std::function<dgd::VertexId()> vertex_count;
+  // SmoothCore.
+  std::function<dgd::CurvedPoint<S, L>(dgd::FeatureId, const Vector&)> piece_support;
+  std::function<dgd::FeatureId()> piece_count;
+  // FacedCore.
+  std::function<dgd::FlatDisc<S>(dgd::FeatureId)> face;
+  // HintedCore.
+  std::function<Support(const Vector&, dgd::FeatureId)> support_near;
+  // CenteredCore: a copy whose centre has been moved near to a point.
+  std::function<CoreFunctions(const Vector&)> with_center_near;
+  // Of all cores in space.
+  std::function<void(const Vector&, dgd::SupportingFace<S>&)> support_face;
+};
 
-/// The support point is a point of the core and none is farther along the direction.
-template <class Core, int L = dgd::kDimension<Core>>
-void CheckSupport(const Core& core, const ExpectedSet<L>& expected, Random& random) {
-  using S = typename Core::Scalar;
-  using VectorS = dgd::Vector<S, L>;
-  const double tolerance = Rounding<S>(expected);
-  for (const auto& direction : DirectionsOf<L>(random)) {
-    for (const double length : {1.0, 1e-3, 1e5}) {
-      const VectorS scaled = (length * direction).template cast<S>();
-      const dgd::SupportPoint<S, L> support = core.Support(scaled);
-      const dgd::Vector<double, L> unit = scaled.template cast<double>().normalized();
-      ASSERT_TRUE(support.point.allFinite());
-      EXPECT_NEAR(unit.dot(support.point.template cast<double>()), expected.height(unit), tolerance)
-          << direction.transpose() << " times " << length;
-      EXPECT_NEAR(double(core.SupportValue(scaled)) / scaled.template cast<double>().norm(), expected.height(unit),
-                  tolerance)
-          << direction.transpose() << " times " << length;
-      EXPECT_LE(double(core.Distance(support.point)), tolerance) << direction.transpose();
-      if constexpr (dgd::VertexCore<Core>) {
-        ASSERT_LT(support.feature, core.VertexCount());
-        EXPECT_EQ(support.point, VectorS(core.Vertex(support.feature)));
-      } else if constexpr (dgd::SmoothCore<Core>) {
-        CheckPieceOf(core, scaled, support, tolerance);
-      } else {
-        EXPECT_EQ(support.feature, dgd::kNoFeature);
-      }
-    }
+template <dgd::CertifiableCore Core, class S = typename Core::Scalar, int L = dgd::kDimension<Core>>
+CoreFunctions<S, L> FunctionsOf(const Core& a_core) {
+  using Vector = dgd::Vector<S, L>;
+  const auto core = std::make_shared<const Core>(a_core);
+  CoreFunctions<S, L> functions;
+  functions.support = [core](const Vector& direction) { return core->Support(direction); };
+  functions.center = [core] { return Vector(core->Center()); };
+  functions.inradius = [core] { return core->Inradius(); };
+  functions.support_value = [core](const Vector& direction) { return core->SupportValue(direction); };
+  functions.distance = [core](const Vector& point) { return core->Distance(point); };
+  if constexpr (dgd::VertexCore<Core>) {
+    functions.vertex = [core](dgd::VertexId vertex) { return Vector(core->Vertex(vertex)); };
+    functions.vertex_count = [core] { return core->VertexCount(); };
   }
-  const dgd::SupportPoint<S, L> any = core.Support(VectorS::Zero());
-  EXPECT_LE(double(core.Distance(any.point)), tolerance);
-  EXPECT_EQ(core.SupportValue(VectorS::Zero()), S(0));
-  if constexpr (dgd::SmoothCore<Core>) CheckPieceOf(core, VectorS(VectorS::Zero()), any, tolerance);
+  if constexpr (dgd::SmoothCore<Core>) {
+    functions.piece_support = [core](dgd::FeatureId piece, const Vector& d) { return core->PieceSupport(piece, d); };
+    functions.piece_count = [core] { return core->PieceCount(); };
+  }
+  if constexpr (dgd::FacedCore<Core>) functions.face = [core](dgd::FeatureId piece) { return core->Face(piece); };
+  if constexpr (dgd::HintedCore<Core>) {
+    functions.support_near = [core](const Vector& direction, dgd::FeatureId hint) {
+      return core->Support(direction, hint);
+    };
+  }
+  if constexpr (dgd::CenteredCore<Core>) {
+    functions.with_center_near = [core](const Vector& point) {
+      Core moved = *core;
+      moved.MoveCenterNear(point);
+      return FunctionsOf(moved);
+    };
+  }
+  if constexpr (L == 3) {
+    functions.support_face = [core](const Vector& direction, dgd::SupportingFace<S>& face) {
+      core->SupportFace(direction, face);
+    };
+  }
+  return functions;
 }
 
-/// Central difference of a piece's support point, column by column.
-template <class Core, int L = dgd::kDimension<Core>>
-dgd::SquareMatrix<double, L> CentralDifference(const Core& core, dgd::FeatureId piece,
-                                               const dgd::Vector<double, L>& direction, double step) {
-  using S = typename Core::Scalar;
-  dgd::SquareMatrix<double, L> difference;
-  for (int axis = 0; axis < L; ++axis) {
-    dgd::Vector<double, L> ahead = direction, behind = direction;
-    ahead[axis] += step;
-    behind[axis] -= step;
-    const dgd::Vector<S, L> moved = core.PieceSupport(piece, ahead.template cast<S>()).point -
-                                    core.PieceSupport(piece, behind.template cast<S>()).point;
-    difference.col(axis) = moved.template cast<double>() / (2 * step);
-  }
-  return difference;
-}
-
-/// Every piece's point is the core's, for every direction; and the derivative, where there is one, is symmetric,
-/// positive semidefinite, 0 along the direction, inversely proportional to its length, and how the point moves.
-template <dgd::SmoothCore Core, int L = dgd::kDimension<Core>>
-void CheckPieces(const Core& core, const ExpectedSet<L>& expected, Random& random) {
-  using S = typename Core::Scalar;
-  const double epsilon = double(dgd::kEpsilon<S>);
-  int compared = 0;
-  for (const auto& direction : DirectionsOf<L>(random)) {
-    const dgd::Vector<S, L> d = direction.template cast<S>();
-    for (dgd::FeatureId piece = 0; piece < core.PieceCount(); ++piece) {
-      const dgd::CurvedPoint<S, L> curved = core.PieceSupport(piece, d);
-      ASSERT_TRUE(curved.point.allFinite());
-      EXPECT_LE(double(core.Distance(curved.point)), Rounding<S>(expected)) << direction.transpose();
-      if (!curved.derivative.allFinite()) continue;
-      const dgd::SquareMatrix<double, L> derivative = curved.derivative.template cast<double>();
-      const double size = derivative.norm(), rounding = 64 * epsilon * (size + expected.reach);
-      EXPECT_LE((derivative - derivative.transpose()).norm(), rounding);
-      EXPECT_LE((derivative * direction).norm(), rounding) << direction.transpose();
-      const Eigen::SelfAdjointEigenSolver<dgd::SquareMatrix<double, L>> eigen(derivative);
-      EXPECT_GE(eigen.eigenvalues().minCoeff(), -rounding) << direction.transpose();
-      const auto doubled = core.PieceSupport(piece, 2 * d).derivative;
-      EXPECT_LE(double((2 * doubled - curved.derivative).norm()), rounding) << direction.transpose();
-      // Two steps: where they differ, the derivative itself changes over the step, and about so much is unknown; where
-      // by much, the difference tells nothing.
-      const double step = std::cbrt(epsilon);
-      const auto fine = CentralDifference(core, piece, direction, step);
-      const auto coarse = CentralDifference(core, piece, direction, 2 * step);
-      const double unknown = (coarse - fine).norm();
-      if (unknown > 0.1 * fine.norm()) continue;
-      ++compared;
-      EXPECT_LE((fine - derivative).norm(), 2e-3 * size + 3 * unknown + Rounding<S>(expected) / step)
-          << direction.transpose() << " piece " << piece << "\n"
-          << derivative << "\n"
-          << fine;
-    }
-  }
-  EXPECT_GT(compared, DirectionCount() / 2);
-}
-
-/// Where a piece bounds a disc, the disc's plane is the core's supporting one, and its rim and centre are the core's.
-template <dgd::FacedCore Core>
-void CheckFaces(const Core& core, const ExpectedSet<3>& expected) {
-  using S = typename Core::Scalar;
-  const double tilt = std::sqrt(double(dgd::kEpsilon<S>));
-  const double rounding = Rounding<S>(expected), rounding_around = rounding + 16 * tilt * expected.reach;
-  for (dgd::FeatureId piece = 0; piece < core.PieceCount(); ++piece) {
-    const dgd::FlatDisc<S> face = core.Face(piece);
-    const Eigen::Vector3d normal = face.normal.template cast<double>(), center = face.center.template cast<double>();
-    if (normal.isZero(0)) continue;
-    EXPECT_NEAR(normal.norm(), 1, 4 * double(dgd::kEpsilon<S>)) << "piece " << piece;
-    EXPECT_NEAR(normal.dot(center), expected.height(normal), rounding) << "piece " << piece;
-    constexpr int kTurns = 12;
-    for (int turn = 0; turn < kTurns; ++turn) {
-      const double angle = 0.1 + 2 * std::numbers::pi * turn / kTurns;
-      const Eigen::Vector3d first = normal.unitOrthogonal();
-      const Eigen::Vector3d way = std::cos(angle) * first + std::sin(angle) * normal.cross(first);
-      const Eigen::Vector3d rim = center + double(face.radius) * way;
-      EXPECT_LE(double(core.Distance(rim.template cast<S>())), rounding) << "piece " << piece;
-      const Eigen::Vector3d direction = normal + tilt * way;
-      const Eigen::Vector3d point =
-          core.PieceSupport(piece, direction.template cast<S>()).point.template cast<double>();
-      EXPECT_LE((point - rim).norm(), rounding_around) << "piece " << piece;
-    }
-  }
-}
-
-/// Any hint gives a point as high as none.
-template <dgd::HintedCore Core, int L = dgd::kDimension<Core>>
-void CheckHints(const Core& core, const ExpectedSet<L>& expected, Random& random) {
-  using S = typename Core::Scalar;
-  for (const auto& direction : DirectionsOf<L>(random)) {
-    const dgd::FeatureId any = static_cast<dgd::FeatureId>(random.Below(1000));
-    for (const dgd::FeatureId hint : {dgd::FeatureId(0), dgd::kNoFeature, any}) {
-      const auto point = core.Support(direction.template cast<S>(), hint).point;
-      EXPECT_NEAR(direction.dot(point.template cast<double>()), expected.height(direction), Rounding<S>(expected))
-          << direction.transpose() << " from " << hint;
-    }
-  }
-}
-
-/// The ball about the centre lies inside: no supporting plane is nearer than the inradius.
-template <class Core, int L = dgd::kDimension<Core>>
-void CheckCenter(const Core& core, const ExpectedSet<L>& expected, Random& random) {
-  using S = typename Core::Scalar;
-  const dgd::Vector<S, L> center = core.Center();
-  EXPECT_LE(double(core.Distance(center)), Rounding<S>(expected));
-  ASSERT_GE(core.Inradius(), S(0));
-  for (const auto& direction : DirectionsOf<L>(random)) {
-    const double to_plane = expected.height(direction) - direction.dot(center.template cast<double>());
-    EXPECT_GE(to_plane, double(core.Inradius()) - Rounding<S>(expected)) << direction.transpose();
-  }
-}
-
-/// Wherever it is moved, the centre keeps the ball about it inside, and comes no farther from the point than it was.
-template <dgd::CenteredCore Core, int L = dgd::kDimension<Core>>
-void CheckMovedCenter(const Core& core, const ExpectedSet<L>& expected, Random& random) {
-  using S = typename Core::Scalar;
-  for (const double distance : {0.0, 0.3, 1.0, 30.0}) {
-    const dgd::Vector<double, L> offset = distance * expected.extent * random.UnitVector().template head<L>();
-    const dgd::Vector<S, L> point = core.Center() + offset.template cast<S>();
-    Core moved = core;
-    moved.MoveCenterNear(point);
-    CheckCenter(moved, expected, random);
-    EXPECT_LE(double((moved.Center() - point).norm()),
-              double((core.Center() - point).norm()) + Rounding<S>(expected) * (1 + distance));
-  }
-}
-
-/// From a support point outwards along its normal, the distance is the length of the way; and inside it is 0.
-template <class Core, int L = dgd::kDimension<Core>>
-void CheckDistance(const Core& core, const ExpectedSet<L>& expected, Random& random) {
-  using S = typename Core::Scalar;
-  const dgd::Vector<S, L> center = core.Center();
-  for (const auto& direction : DirectionsOf<L>(random)) {
-    const dgd::Vector<S, L> normal = direction.template cast<S>();
-    const dgd::Vector<S, L> surface = core.Support(normal).point;
-    for (const double part : {1e-3, 0.1, 3.0}) {
-      const S way = static_cast<S>(part * (expected.extent + 0.01));
-      const double rounding = 4 * Rounding<S>(expected) + 8 * double(dgd::kEpsilon<S>) * double(way);
-      EXPECT_NEAR(double(core.Distance(surface + way * normal)), double(way), rounding) << direction.transpose();
-    }
-    const S inside = static_cast<S>(random.Uniform(0, 0.999));
-    EXPECT_LE(double(core.Distance(center + inside * (surface - center))), Rounding<S>(expected));
-  }
-}
-
-/// The face's points are the core's and reach the support height, but for `discretisation` metres, the part that a
-/// polygon takes off a disc.
-template <class Core>
-void CheckSupportFace(const Core& core, const ExpectedSet<3>& expected, double discretisation, Random& random) {
-  using S = typename Core::Scalar;
-  for (const Eigen::Vector3d& direction : Directions(random)) {
-    dgd::SupportingFace<S> face;
-    core.SupportFace(direction.template cast<S>(), face);
-    ASSERT_GE(face.size, 1);
-    ASSERT_LE(face.size, dgd::SupportingFace<S>::kMaxPoints);
-    double highest = -std::numeric_limits<double>::infinity();
-    for (int i = 0; i < face.size; ++i) {
-      const dgd::Vector3<S>& point = face.points[static_cast<std::size_t>(i)];
-      EXPECT_LE(double(core.Distance(point)), Rounding<S>(expected)) << direction.transpose();
-      highest = std::max(highest, direction.dot(point.template cast<double>()));
-    }
-    EXPECT_GE(highest, expected.height(direction) - discretisation - Rounding<S>(expected))
-        << direction.transpose() << "\nface of " << face.size << " points";
-  }
-}
+/// Checks all that a core with these functions promises. S is float or double, L is 2 or 3.
+/// @param discretisation  Metres that a supporting face may be lower than the core: the part that a polygon takes off a
+///                        disc.
+template <class S, int L>
+void CheckContract(const CoreFunctions<S, L>& core, const ExpectedSet<L>& expected, double discretisation);
 
 template <class Core>
 void CheckExpected(const Core& core, const ExpectedSet<dgd::kDimension<Core>>& expected, double discretisation = 0) {
-  static_assert(dgd::CertifiableCore<Core>);
-  Random random(TestSeed());
-  CheckSupport(core, expected, random);
-  CheckCenter(core, expected, random);
-  if constexpr (dgd::SmoothCore<Core>) CheckPieces(core, expected, random);
-  if constexpr (dgd::FacedCore<Core>) CheckFaces(core, expected);
-  if constexpr (dgd::HintedCore<Core>) CheckHints(core, expected, random);
-  if constexpr (dgd::CenteredCore<Core>) CheckMovedCenter(core, expected, random);
-  CheckDistance(core, expected, random);
-  if constexpr (dgd::kDimension<Core> == 3) CheckSupportFace(core, expected, discretisation, random);
+  CheckContract(FunctionsOf(core), expected, discretisation);
 }
 
 template <class Core>

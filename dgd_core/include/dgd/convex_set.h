@@ -127,8 +127,7 @@ SupportPoint<typename Core::Scalar, kDimension<Core>> GuessSupport(const Core& c
 /// A core of many vertices that knows which of them are next to each other. A plane that lies on the core along an edge
 /// and turns about that (gift wrapping) meets next what the steepest way leads to.
 ///  * SteepestAscent(v, up, outwards): of the vertices next to v that are farther along `outwards`, the one to which
-///  the
-///    way rises most along `up` for each step outwards. The two are the core's frame's, finite, of any length.
+///    the way rises most along `up` for each step outwards. The two are the core's frame's, finite, of any length.
 ///  * IsLinked(): whether it knows.
 template <class Core>
 concept LinkedCore = VertexCore<Core> && requires(const Core& core, VertexId vertex, const VectorOf<Core>& direction) {

@@ -1,5 +1,7 @@
 #include "dgd/shapes/box.h"
 
+#include <limits>
+
 #include "support/shape_contract.h"
 
 namespace dgd_test {

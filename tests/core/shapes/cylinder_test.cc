@@ -1,5 +1,9 @@
 #include "dgd/shapes/cylinder.h"
 
+#include <cmath>
+#include <limits>
+
+#include "dgd/ray/tolerances.h"
 #include "support/shape_contract.h"
 
 namespace dgd_test {

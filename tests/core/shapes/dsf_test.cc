@@ -1,5 +1,8 @@
 #include "dgd/shapes/dsf.h"
 
+#include <cmath>
+#include <limits>
+
 #include "support/random_sets.h"
 #include "support/shape_contract.h"
 

@@ -1,6 +1,7 @@
 #include "dgd/shapes/ellipsoid.h"
 
 #include <cmath>
+#include <limits>
 
 #include "support/shape_contract.h"
 

@@ -1,5 +1,8 @@
 #include "dgd/shapes/frustum.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "dgd/shapes/cone.h"
 #include "dgd/shapes/cylinder.h"
 #include "support/shape_contract.h"

@@ -1,9 +1,14 @@
 #include "dgd/shapes/mesh.h"
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numbers>
 #include <span>
 
+#include "dgd/ray/tolerances.h"
 #include "dgd/shapes/box.h"
 #include "dgd/shapes/transformed.h"
 #include "support/random_sets.h"

@@ -1,5 +1,8 @@
 #include "dgd/shapes/polygon.h"
 
+#include <cmath>
+#include <limits>
+
 #include "support/shape_contract.h"
 
 namespace dgd_test {

@@ -1,5 +1,7 @@
 #include "dgd/shapes/polytope.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 

@@ -1,4 +1,6 @@
 // The shapes of the plane that share a template with those of space; and the sets that are a core and a radius.
+#include <limits>
+
 #include "dgd/shapes.h"
 #include "support/shape_contract.h"
 

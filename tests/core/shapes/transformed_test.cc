@@ -1,5 +1,8 @@
 #include "dgd/shapes/transformed.h"
 
+#include <Eigen/LU>
+#include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "dgd/shapes.h"

@@ -1,5 +1,8 @@
 #include "dgd/shapes/triangle.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "support/shape_contract.h"
 
 namespace dgd_test {
