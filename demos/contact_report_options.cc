@@ -1,11 +1,11 @@
 #include "contact_report_options.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iostream>
 #include <map>
+#include <optional>
 #include <string>
 
+#include "command_line.h"
 #include "scene_options.h"
 #include "simulation/drop_run.h"
 
@@ -70,40 +70,25 @@ std::filesystem::path SceneFile(const std::string& name) {
 
 std::variant<ContactReportOptions, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
   std::map<std::string, Narrowphase> choices;
-  for (const Narrowphase narrowphase : AllNarrowphases()) choices[std::string(NameOf(narrowphase))] = narrowphase;
+  std::vector<std::string> names;
+  for (const Narrowphase narrowphase : AllNarrowphases()) {
+    names.emplace_back(NameOf(narrowphase));
+    choices[names.back()] = narrowphase;
+  }
   std::vector<std::string> narrowphases = {"builtin", "dgd"};
   ContactReportOptions options;
   options.out = std::string("out/contacts_") + BulletPrecision() + ".csv";
   std::vector<std::string> scenes = kDefaultScenes;
 
-  CLI::App app(kDescription, "contact_report");
-  app.footer(kFooter);
-  app.get_formatter()->column_width(34);
-  app.add_option("--scenes", scenes, "Names of scenes, or scene files (.json), with commas between them")
-      ->type_name("LIST")
-      ->delimiter(',')
-      ->capture_default_str();
-  app.add_option("--narrowphases", narrowphases, "Which to compare, the others with the first")
-      ->type_name("LIST")
-      ->delimiter(',')
-      ->check(CLI::IsMember(choices).description(""))
-      ->capture_default_str();
-  app.add_option("--seeds", options.seeds, "Runs of each scene with random bodies, with the seeds 1 to N")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMaxSeeds).description(""))
-      ->capture_default_str();
-  app.add_option("--out", options.out, "CSV file for the figures of each run; its folder is made if missing")
-      ->type_name("FILE")
-      ->capture_default_str();
-  AddDurationOption(app, options.duration);
-  AddOracleEveryOption(app, options.oracle_every);
-
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& end) {
-    // CLI11's own statuses tell kinds of mistakes apart; ours says only that there was one.
-    return app.exit(end, std::cout, std::cerr) == 0 ? kSuccess : kBadInput;
-  }
+  CommandLine line("contact_report", kDescription, kFooter);
+  line.AddWords("--scenes", "LIST", scenes, "Names of scenes, or scene files (.json), with commas between them");
+  line.AddChoices("--narrowphases", "LIST", narrowphases, names, "Which to compare, the others with the first");
+  line.AddNumber("--seeds", "N", options.seeds, {1, kMaxSeeds},
+                 "Runs of each scene with random bodies, with the seeds 1 to N");
+  line.AddPath("--out", "FILE", options.out, "CSV file for the figures of each run; its folder is made if missing");
+  AddDurationOption(line, options.duration);
+  AddOracleEveryOption(line, options.oracle_every);
+  if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
   for (const std::string& name : scenes) options.scenes.push_back(SceneFile(name));
   for (const std::string& name : narrowphases) options.narrowphases.push_back(choices.at(name));
   return options;

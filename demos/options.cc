@@ -1,12 +1,11 @@
 #include "options.h"
 
-#include <CLI/CLI.hpp>
-#include <iostream>
 #include <map>
+#include <optional>
 #include <string>
 
+#include "command_line.h"
 #include "scene_options.h"
-#include "seed_option.h"
 
 namespace dgd_demos {
 namespace {
@@ -57,29 +56,16 @@ std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* 
   std::string narrowphase = "both";
   bool no_snapshots = false;
 
-  CLI::App app(kDescription, "polytope_drop");
-  app.footer(kFooter);
-  app.get_formatter()->column_width(34);
-  app.add_option("--scene", options.scene, "Scene file (JSON)")->type_name("FILE")->capture_default_str();
-  app.add_option("--narrowphase", narrowphase, "dgd, builtin or both")
-      ->check(CLI::IsMember(choices).description(""))
-      ->type_name("WHICH")
-      ->capture_default_str();
-  AddSeedOption(app, options.seed, "Seed of the random bodies");
-  app.add_option("--out", options.out, "Folder for the results; made if missing")
-      ->type_name("DIR")
-      ->capture_default_str();
-  AddDurationOption(app, options.duration);
-  AddOracleEveryOption(app, options.oracle_every);
-  app.add_flag("--no-snapshots", no_snapshots, "Draw no pictures");
-  app.add_flag("--record", options.record, "Write down what each narrowphase is asked");
-
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& end) {
-    // CLI11's own statuses tell kinds of mistakes apart; ours says only that there was one.
-    return app.exit(end, std::cout, std::cerr) == 0 ? kSuccess : kBadInput;
-  }
+  CommandLine line("polytope_drop", kDescription, kFooter);
+  line.AddPath("--scene", "FILE", options.scene, "Scene file (JSON)");
+  line.AddChoice("--narrowphase", "WHICH", narrowphase, {"dgd", "builtin", "both"}, "dgd, builtin or both");
+  line.AddSeed(options.seed, "Seed of the random bodies");
+  line.AddPath("--out", "DIR", options.out, "Folder for the results; made if missing");
+  AddDurationOption(line, options.duration);
+  AddOracleEveryOption(line, options.oracle_every);
+  line.AddFlag("--no-snapshots", no_snapshots, "Draw no pictures");
+  line.AddFlag("--record", options.record, "Write down what each narrowphase is asked");
+  if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
   options.narrowphases = choices.at(narrowphase);
   options.draw_snapshots = !no_snapshots;
   return options;

@@ -1,6 +1,5 @@
 #include "scene_options.h"
 
-#include <CLI/CLI.hpp>
 #include <sstream>
 #include <system_error>
 #include <vector>
@@ -26,15 +25,13 @@ std::filesystem::path FindData(const std::filesystem::path& name) {
   return name;
 }
 
-void AddDurationOption(CLI::App& app, std::optional<double>& duration) {
-  app.add_option("--duration", duration, "Simulated time in s, in place of the scene's")->type_name("S");
+void AddDurationOption(CommandLine& line, std::optional<double>& duration) {
+  line.AddNumber("--duration", "S", duration, "Simulated time in s, in place of the scene's");
 }
 
-void AddOracleEveryOption(CLI::App& app, int& oracle_every) {
-  app.add_option("--oracle-every", oracle_every, "Steps from one computation of the true penetration to the next")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMaxOracleEvery).description(""))
-      ->capture_default_str();
+void AddOracleEveryOption(CommandLine& line, int& oracle_every) {
+  line.AddNumber("--oracle-every", "N", oracle_every, {1, kMaxOracleEvery},
+                 "Steps from one computation of the true penetration to the next");
 }
 
 Scene LoadSceneFor(const std::filesystem::path& file, const std::optional<double>& duration) {

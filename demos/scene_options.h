@@ -6,11 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "command_line.h"
 #include "scene/scene.h"
-
-namespace CLI {
-class App;  // Not included: it takes longer to compile than all else that the programs have.
-}
 
 namespace dgd_demos {
 
@@ -19,10 +16,10 @@ namespace dgd_demos {
 std::filesystem::path FindData(const std::filesystem::path& name);
 
 /// Adds --duration.
-void AddDurationOption(CLI::App& app, std::optional<double>& duration);
+void AddDurationOption(CommandLine& line, std::optional<double>& duration);
 
 /// Adds --oracle-every.
-void AddOracleEveryOption(CLI::App& app, int& oracle_every);
+void AddOracleEveryOption(CommandLine& line, int& oracle_every);
 
 /// The scene of the file, with the duration asked for, if any, in place of its own.
 /// @throws SceneError about the file, or about a duration that it cannot have.

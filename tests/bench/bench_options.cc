@@ -1,11 +1,10 @@
 #include "bench/bench_options.h"
 
-#include <CLI/CLI.hpp>
-#include <iostream>
 #include <map>
+#include <optional>
 #include <string>
 
-#include "seed_option.h"
+#include "command_line.h"
 
 namespace dgd_bench {
 namespace {
@@ -49,38 +48,17 @@ std::variant<BenchOptions, ExitStatus> ParseCommandLine(int argc, const char* co
   BenchOptions options;
   std::string distance_of = NameOf(options.distance_of);
 
-  CLI::App app(kDescription, "hull_pairs");
-  app.footer(kFooter);
-  app.get_formatter()->column_width(34);
-  app.add_option("--pairs", options.pairs, "Pairs of each class and margin")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMaxPairs).description(""))
-      ->capture_default_str();
-  dgd_demos::AddSeedOption(app, options.seed, "Seed of the random pairs");
-  app.add_option("--margin", options.margins, "Margins in m, one table each")
-      ->type_name("M")
-      ->check(CLI::Range(0.0, kMaxMargin).description(""))
-      ->capture_default_str();
-  app.add_option("--distance-of", distance_of, "What lies apart as the class says: sets or cores")
-      ->check(CLI::IsMember(kDistanceNames).description(""))
-      ->type_name("WHAT")
-      ->capture_default_str();
-  app.add_option("--repeats", options.effort.repeats, "Queries in a row that are averaged")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMaxEffort).description(""))
-      ->capture_default_str();
-  app.add_option("--rounds", options.effort.rounds, "Rounds of which the least counts")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMaxEffort).description(""))
-      ->capture_default_str();
-  app.add_option("--csv", options.csv, "File for one row per pair and method")->type_name("FILE");
+  dgd_demos::CommandLine line("hull_pairs", kDescription, kFooter);
+  line.AddNumber("--pairs", "N", options.pairs, {1, kMaxPairs}, "Pairs of each class and margin");
+  line.AddSeed(options.seed, "Seed of the random pairs");
+  line.AddNumbers("--margin", "M", options.margins, {0, kMaxMargin}, "Margins in m, one table each");
+  line.AddChoice("--distance-of", "WHAT", distance_of, {"sets", "cores"},
+                 "What lies apart as the class says: sets or cores");
+  line.AddNumber("--repeats", "N", options.effort.repeats, {1, kMaxEffort}, "Queries in a row that are averaged");
+  line.AddNumber("--rounds", "N", options.effort.rounds, {1, kMaxEffort}, "Rounds of which the least counts");
+  line.AddPath("--csv", "FILE", options.csv, "File for one row per pair and method");
 
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& end) {
-    // CLI11's own statuses tell kinds of mistakes apart; ours says only that there was one.
-    return app.exit(end, std::cout, std::cerr) == 0 ? kSuccess : kBadInput;
-  }
+  if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
   options.distance_of = kDistanceNames.at(distance_of);
   return options;
 }

@@ -1,12 +1,11 @@
 // big_scenes: scenes of thousands of bodies, stepped on Bullet's built-in narrowphase and on the plugin in turns. See
 // --help.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <iostream>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "bench/big_scene.h"
 #include "bench/duration_option.h"
 #include "bench/exit_status.h"
+#include "command_line.h"
 #include "program_main.h"
 #include "report/progress_bar.h"
 
@@ -54,22 +54,12 @@ std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* 
   Options options;
   std::vector<std::string> names;
   for (const BigScene& scene : BigScenes()) names.emplace_back(scene.name);
-  CLI::App app(kDescription, "big_scenes");
-  app.footer(kFooter);
-  app.add_option("--scenes", options.scenes, "Their names; default: all")
-      ->type_name("NAME")
-      ->check(CLI::IsMember(names));
-  AddDurationOption(app, options.duration);
-  app.add_option("--settle", options.settle, "Seconds on the built-in narrowphase first, for both")
-      ->type_name("S")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 1e4));
-  app.add_flag("--list", options.list, "Lists the scenes");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& end) {
-    return app.exit(end, std::cout, std::cerr) == 0 ? kSuccess : kBadInput;
-  }
+  dgd_demos::CommandLine line("big_scenes", kDescription, kFooter);
+  line.AddChoices("--scenes", "NAME", options.scenes, names, "Some of those that --list names; default: all");
+  AddDurationOption(line, options.duration);
+  line.AddNumber("--settle", "S", options.settle, {0, 1e4}, "Seconds on the built-in narrowphase first, for both");
+  line.AddFlag("--list", options.list, "Lists the scenes");
+  if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
   if (options.scenes.empty()) options.scenes = names;
   return options;
 }

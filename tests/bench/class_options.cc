@@ -1,17 +1,11 @@
 #include "bench/class_options.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-
-#include "seed_option.h"
 
 namespace dgd_bench {
 namespace {
 
-void AddCount(CLI::App& app, const char* name, int& value, const char* what) {
-  constexpr int kMost = 10'000'000;
-  app.add_option(name, value, what)->type_name("N")->check(CLI::Range(1, kMost).description(""))->capture_default_str();
-}
+constexpr int kMost = 10'000'000;
 
 }  // namespace
 
@@ -19,24 +13,21 @@ bool ClassOptions::Wants(const PairClass& each) const {
   return classes.empty() || std::ranges::count(classes, each.name) > 0;
 }
 
-void AddClassOptions(CLI::App& app, ClassOptions& options) {
+void AddClassOptions(dgd_demos::CommandLine& line, ClassOptions& options) {
   std::vector<std::string> names;
   for (const PairClass& each : AllPairClasses()) names.emplace_back(each.name);
-  app.get_formatter()->column_width(30);
-  AddCount(app, "--pairs", options.pairs, "Pairs of sets of each class");
-  AddCount(app, "--poses", options.poses, "Poses of each pair");
-  dgd_demos::AddSeedOption(app, options.seed, "Seed of the sets and poses");
-  app.add_option("--classes", options.classes, "Some of the classes below")
-      ->type_name("A,B")
-      ->delimiter(',')
-      ->check(CLI::IsMember(names).description(""));
-  app.add_option("--meshes", options.meshes, "Folder of .obj files for the class meshes")->type_name("DIR");
+  line.AddNumber("--pairs", "N", options.pairs, {1, kMost}, "Pairs of sets of each class");
+  line.AddNumber("--poses", "N", options.poses, {1, kMost}, "Poses of each pair");
+  line.AddSeed(options.seed, "Seed of the sets and poses");
+  line.AddChoices("--classes", "A,B", options.classes, names, "Some of the classes below");
+  line.AddText("--meshes", "DIR", options.meshes, "Folder of .obj files for the class meshes");
 }
 
-void AddTimedClassOptions(CLI::App& app, TimedClassOptions& options) {
-  AddClassOptions(app, options);
-  AddCount(app, "--repeats", options.repeats, "Queries in a row, of which the mean is taken");
-  AddCount(app, "--rounds", options.rounds, "Turns of all methods, of which each one's least mean counts");
+void AddTimedClassOptions(dgd_demos::CommandLine& line, TimedClassOptions& options) {
+  AddClassOptions(line, options);
+  line.AddNumber("--repeats", "N", options.repeats, {1, kMost}, "Queries in a row, of which the mean is taken");
+  line.AddNumber("--rounds", "N", options.rounds, {1, kMost},
+                 "Turns of all methods, of which each one's least mean counts");
 }
 
 std::string ClassesInWords() {

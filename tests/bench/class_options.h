@@ -6,10 +6,7 @@
 #include <vector>
 
 #include "bench/pair_class.h"
-
-namespace CLI {
-class App;
-}
+#include "command_line.h"
 
 namespace dgd_bench {
 
@@ -24,7 +21,7 @@ struct ClassOptions {
 };
 
 /// Adds --pairs, --poses, --seed, --classes and --meshes, whose defaults `options` holds.
-void AddClassOptions(CLI::App& app, ClassOptions& options);
+void AddClassOptions(dgd_demos::CommandLine& line, ClassOptions& options);
 
 /// Of the programs that time several methods.
 struct TimedClassOptions : ClassOptions {
@@ -38,7 +35,7 @@ struct TimedClassOptions : ClassOptions {
 };
 
 /// Adds --repeats and --rounds to the above.
-void AddTimedClassOptions(CLI::App& app, TimedClassOptions& options);
+void AddTimedClassOptions(dgd_demos::CommandLine& line, TimedClassOptions& options);
 
 /// What the classes are, for a program's help.
 std::string ClassesInWords();

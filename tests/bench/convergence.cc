@@ -1,12 +1,11 @@
 // convergence: the relative gap of the bounds after each iteration, over random pairs. See --help.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <iostream>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "bench/class_walk.h"
 #include "bench/exit_status.h"
 #include "bench/percentile.h"
+#include "command_line.h"
 #include "program_main.h"
 #include "support/pairs/any_pair.h"
 
@@ -39,14 +39,9 @@ std::variant<ClassOptions, ExitStatus> ParseCommandLine(int argc, const char* co
   options.pairs = 100;
   options.poses = 20;
   options.classes = {"curved", "meshes"};
-  CLI::App app(kDescription, "convergence");
-  app.footer(ClassesInWords() + kFooter);
-  AddClassOptions(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& end) {
-    return app.exit(end, std::cout, std::cerr) == 0 ? kSuccess : kBadInput;
-  }
+  dgd_demos::CommandLine line("convergence", kDescription, ClassesInWords() + kFooter);
+  AddClassOptions(line, options);
+  if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
   return options;
 }
 

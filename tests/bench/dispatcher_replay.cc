@@ -1,11 +1,9 @@
 // dispatcher_replay: what a step asks of its narrowphase, recorded once and asked again of each. See --help.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <iostream>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -16,10 +14,10 @@
 #include "bench/exit_status.h"
 #include "bench/percentile.h"
 #include "bench/replay_world.h"
+#include "command_line.h"
 #include "program_main.h"
 #include "report/progress_bar.h"
 #include "scene_options.h"
-#include "seed_option.h"
 #include "simulation/drop_run.h"
 #include "simulation/signed_distance.h"
 #include "simulation/world.h"
@@ -60,20 +58,12 @@ struct Options {
 std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
   constexpr int kMostRounds = 1000;
   Options options;
-  CLI::App app(kDescription, "dispatcher_replay");
-  app.footer(kFooter);
-  app.add_option("--scene", options.scene, "Scene file")->type_name("FILE")->capture_default_str();
-  dgd_demos::AddDurationOption(app, options.duration);
-  dgd_demos::AddSeedOption(app, options.seed, "Seed of the scene's random bodies");
-  app.add_option("--rounds", options.rounds, "Replays, of which each pair's least time counts")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMostRounds).description(""))
-      ->capture_default_str();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& end) {
-    return app.exit(end, std::cout, std::cerr) == 0 ? kSuccess : kBadInput;
-  }
+  dgd_demos::CommandLine line("dispatcher_replay", kDescription, kFooter);
+  line.AddText("--scene", "FILE", options.scene, "Scene file");
+  dgd_demos::AddDurationOption(line, options.duration);
+  line.AddSeed(options.seed, "Seed of the scene's random bodies");
+  line.AddNumber("--rounds", "N", options.rounds, {1, kMostRounds}, "Replays, of which each pair's least time counts");
+  if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
   return options;
 }
 

@@ -1,5 +1,4 @@
 // hard_cases: the catalogue of hard cases, asked of the growth distance and of others. See --help.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -21,9 +20,9 @@
 #include "bench/peers/any_pair_peer.h"
 #include "bench/peers/bullet_peers.h"
 #include "bench/peers/fcl_peer.h"
+#include "command_line.h"
 #include "program_main.h"
 #include "report/csv_file.h"
-#include "seed_option.h"
 #include "support/hard/distance_truth.h"
 #include "support/hard/examine.h"
 
@@ -80,36 +79,20 @@ struct Options {
 std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
   constexpr int kMost = 1'000'000;
   Options options;
-  CLI::App app(kDescription, "hard_cases");
-  app.footer(kFooter);
+  dgd_demos::CommandLine line("hard_cases", kDescription, kFooter);
   std::vector<std::string> names;
   for (const HardClass& hard_class : dgd_test::AllHardClasses()) names.emplace_back(hard_class.name);
-  const auto add_number = [&app](const char* name, int& number, const char* what) {
-    app.add_option(name, number, what)
-        ->type_name("N")
-        ->check(CLI::Range(1, kMost).description(""))
-        ->capture_default_str();
-  };
-  add_number("--cases", options.cases, "Cases of each class");
-  dgd_demos::AddSeedOption(app, options.seed, "Seed of the cases");
-  add_number("--rounds", options.rounds, "Times that each query is timed, of which the least counts");
-  app.add_option("--tolerance", options.tolerance, "Of distances and of yes or no, relative; 0 for the scalar's")
-      ->type_name("T")
-      ->check(CLI::Range(0.0, 0.1).description(""))
-      ->capture_default_str();
-  app.add_option("--class", options.only, "Only this class")
-      ->type_name("NAME")
-      ->check(CLI::IsMember(names).description(""));
-  app.add_option("--csv", options.csv, "File for the table")->type_name("FILE");
-  app.add_option("--replay", options.replay, "Print every method's answer to the case of this index")
-      ->type_name("INDEX")
-      ->check(CLI::Range(0, kMost).description(""));
-  app.add_flag("--list", options.is_list, "List the classes");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& end) {
-    return app.exit(end, std::cout, std::cerr) == 0 ? kSuccess : kBadInput;
-  }
+  line.AddNumber("--cases", "N", options.cases, {1, kMost}, "Cases of each class");
+  line.AddSeed(options.seed, "Seed of the cases");
+  line.AddNumber("--rounds", "N", options.rounds, {1, kMost},
+                 "Times that each query is timed, of which the least counts");
+  line.AddNumber("--tolerance", "T", options.tolerance, {0, 0.1},
+                 "Of distances and of yes or no, relative; 0 for the scalar's");
+  line.AddChoice("--class", "NAME", options.only, names, "Only this class");
+  line.AddPath("--csv", "FILE", options.csv, "File for the table");
+  line.AddIndex("--replay", options.replay, "Print every method's answer to the case of this index");
+  line.AddFlag("--list", options.is_list, "List the classes");
+  if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
   return options;
 }
 

@@ -1,7 +1,6 @@
 // iterations: how many iterations the solver takes, class by class of sets, and what its answers are worth. See --help.
-#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <iostream>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -9,6 +8,7 @@
 #include "bench/class_options.h"
 #include "bench/exit_status.h"
 #include "bench/iteration_count.h"
+#include "command_line.h"
 #include "program_main.h"
 
 namespace dgd_bench {
@@ -40,14 +40,9 @@ mesh cannot be read.)";
 
 std::variant<ClassOptions, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
   ClassOptions options;
-  CLI::App app(kDescription, "iterations");
-  app.footer(kExamples + ClassesInWords() + kFooter);
-  AddClassOptions(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& end) {
-    return app.exit(end, std::cout, std::cerr) == 0 ? kSuccess : kBadInput;
-  }
+  dgd_demos::CommandLine line("iterations", kDescription, kExamples + ClassesInWords() + kFooter);
+  AddClassOptions(line, options);
+  if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
   return options;
 }
 

@@ -1,10 +1,8 @@
 // solution_times: every way to a growth distance on the paper's kinds of pairs, time beside error. See --help.
-#include <CLI/CLI.hpp>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <optional>
 #include <string>
 #include <variant>
@@ -15,6 +13,7 @@
 #include "bench/growth_methods.h"
 #include "bench/method_figures.h"
 #include "bench/speed_walk.h"
+#include "command_line.h"
 #include "program_main.h"
 
 namespace dgd_bench {
@@ -56,16 +55,11 @@ struct Options : TimedClassOptions {
 
 std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
   Options options;
-  CLI::App app(kDescription, "solution_times");
-  app.footer(kExamples + ClassesInWords() + kFooter);
-  AddTimedClassOptions(app, options);
-  app.add_flag("--tolerances", options.tolerances, "Ask for relative gaps of 1e-3 to 1e-12 as well, cold");
-  app.add_option("--csv", options.csv, "Write the figures to this file")->type_name("FILE");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& end) {
-    return app.exit(end, std::cout, std::cerr) == 0 ? kSuccess : kBadInput;
-  }
+  dgd_demos::CommandLine line("solution_times", kDescription, kExamples + ClassesInWords() + kFooter);
+  AddTimedClassOptions(line, options);
+  line.AddFlag("--tolerances", options.tolerances, "Ask for relative gaps of 1e-3 to 1e-12 as well, cold");
+  line.AddPath("--csv", "FILE", options.csv, "Write the figures to this file");
+  if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
   return options;
 }
 

@@ -1,10 +1,9 @@
 // speed: the growth distance against the paper's algorithm as printed, class by class of sets, time beside error. See
 // --help.
-#include <CLI/CLI.hpp>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <iostream>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -14,6 +13,7 @@
 #include "bench/exit_status.h"
 #include "bench/growth_methods.h"
 #include "bench/speed_walk.h"
+#include "command_line.h"
 #include "program_main.h"
 
 namespace dgd_bench {
@@ -47,14 +47,9 @@ be read.)";
 
 std::variant<TimedClassOptions, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
   TimedClassOptions options;
-  CLI::App app(kDescription, "speed");
-  app.footer(kExamples + ClassesInWords() + kFooter);
-  AddTimedClassOptions(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& end) {
-    return app.exit(end, std::cout, std::cerr) == 0 ? kSuccess : kBadInput;
-  }
+  dgd_demos::CommandLine line("speed", kDescription, kExamples + ClassesInWords() + kFooter);
+  AddTimedClassOptions(line, options);
+  if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
   return options;
 }
 

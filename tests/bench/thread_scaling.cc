@@ -1,12 +1,11 @@
 // thread_scaling: the plugin's pairs shared among threads, against one thread, in two worlds that must stay the same to
 // the last bit. See --help.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <iostream>
+#include <optional>
 #include <thread>
 #include <variant>
 
@@ -14,6 +13,7 @@
 #include "bench/big_scene.h"
 #include "bench/duration_option.h"
 #include "bench/exit_status.h"
+#include "command_line.h"
 #include "program_main.h"
 #include "report/progress_bar.h"
 
@@ -40,22 +40,11 @@ struct Options {
 std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
   constexpr int kMostThreads = 256, kMostBodies = 100000;
   Options options;
-  CLI::App app(kDescription, "thread_scaling");
-  app.footer(kFooter);
-  app.add_option("--threads", options.threads, "Threads")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMostThreads).description(""))
-      ->capture_default_str();
-  app.add_option("--bodies", options.bodies, "Shapes that fall")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMostBodies).description(""))
-      ->capture_default_str();
-  AddDurationOption(app, options.duration);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& end) {
-    return app.exit(end, std::cout, std::cerr) == 0 ? kSuccess : kBadInput;
-  }
+  dgd_demos::CommandLine line("thread_scaling", kDescription, kFooter);
+  line.AddNumber("--threads", "N", options.threads, {1, kMostThreads}, "Threads");
+  line.AddNumber("--bodies", "N", options.bodies, {1, kMostBodies}, "Shapes that fall");
+  AddDurationOption(line, options.duration);
+  if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
   return options;
 }
 

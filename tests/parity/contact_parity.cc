@@ -1,6 +1,5 @@
 // contact_parity: every pair of Bullet's convex types in random poses, asked of the plugin and of Bullet's built-in
 // narrowphase, and both judged. See --help.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,17 +7,18 @@
 #include <cstdio>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "command_line.h"
 #include "parity/judge.h"
 #include "plugin/shape_zoo.h"
 #include "plugin/test_world.h"
 #include "program_main.h"
 #include "report/progress_bar.h"
-#include "seed_option.h"
 
 namespace dgd_test {
 namespace {
@@ -57,19 +57,11 @@ enum ExitStatus { kSuccess = 0, kFailedPair = 1, kBadInput = 2 };
 std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
   constexpr int kMostPoses = 100'000'000;
   Options options;
-  CLI::App app(kDescription, "contact_parity");
-  app.footer(kFooter);
-  app.add_option("--poses", options.poses, "Random poses of each pair of types")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMostPoses).description(""))
-      ->capture_default_str();
-  dgd_demos::AddSeedOption(app, options.seed, "Seed of the poses");
-  app.add_option("--only", options.only, "Only pairs with this type, by its name in the table")->type_name("TYPE");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& end) {
-    return app.exit(end, std::cout, std::cerr) == 0 ? kSuccess : kBadInput;
-  }
+  dgd_demos::CommandLine line("contact_parity", kDescription, kFooter);
+  line.AddNumber("--poses", "N", options.poses, {1, kMostPoses}, "Random poses of each pair of types");
+  line.AddSeed(options.seed, "Seed of the poses");
+  line.AddText("--only", "TYPE", options.only, "Only pairs with this type, by its name in the table");
+  if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
   return options;
 }
 

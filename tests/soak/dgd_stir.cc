@@ -1,18 +1,17 @@
 // dgd_stir: a heap that is stirred while its bodies come and go, for as long as one likes. See --help.
 #include <malloc.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <iostream>
+#include <optional>
 #include <variant>
 #include <vector>
 
+#include "command_line.h"
 #include "program_main.h"
 #include "report/progress_bar.h"
-#include "seed_option.h"
 #include "soak/stirred_heap.h"
 
 namespace dgd_soak {
@@ -37,22 +36,11 @@ struct Options {
 
 std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
   Options options;
-  CLI::App app(kDescription, "dgd_stir");
-  app.footer(kFooter);
-  app.add_option("--minutes", options.minutes, "Simulated minutes")
-      ->type_name("M")
-      ->check(CLI::Range(0.05, 1e5).description(""))
-      ->capture_default_str();
-  app.add_option("--bodies", options.bodies, "In the pit at a time")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000).description(""))
-      ->capture_default_str();
-  dgd_demos::AddSeedOption(app, options.seed, "Of the bodies that come and go");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& end) {
-    return app.exit(end, std::cout, std::cerr) == 0 ? kSuccess : kBadInput;
-  }
+  dgd_demos::CommandLine line("dgd_stir", kDescription, kFooter);
+  line.AddNumber("--minutes", "M", options.minutes, {0.05, 1e5}, "Simulated minutes");
+  line.AddNumber("--bodies", "N", options.bodies, {1, 1000}, "In the pit at a time");
+  line.AddSeed(options.seed, "Of the bodies that come and go");
+  if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
   return options;
 }
 

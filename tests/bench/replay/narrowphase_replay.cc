@@ -1,11 +1,9 @@
 // narrowphase_replay: every method on the pairs that a narrowphase was asked about, time beside error. See --help.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <limits>
 #include <map>
 #include <optional>
@@ -18,6 +16,7 @@
 #include "bench/peers/bullet_peers.h"
 #include "bench/replay/contest.h"
 #include "bench/replay/recorded_pairs.h"
+#include "command_line.h"
 #include "dgd_bullet/record_file.h"
 #include "program_main.h"
 #include "report/progress_bar.h"
@@ -54,45 +53,33 @@ or not complete: what there is of it was replayed.)";
 enum ReplayStatus { kReplayed = 0, kOursFailed = 1, kBadInput = 2, kDamagedRecord = 3 };
 
 struct Options {
-  std::string record;
+  std::filesystem::path record;
   std::vector<std::string> methods;  // Empty for all.
   int pairs = 20'000;
   int rounds = 3, repeats = 5;
   std::filesystem::path csv;
-  std::optional<std::int64_t> pair;
+  std::optional<int> pair;
 };
 
 std::variant<Options, ReplayStatus> ParseCommandLine(int argc, const char* const* argv) {
   constexpr int kMost = 100'000'000;
   Options options;
   std::vector<std::string> keys;
-  for (const ContestMethod& method : AllContestMethods()) keys.emplace_back(method.key);
-  CLI::App app(kDescription, "narrowphase_replay");
-  app.footer(kFooter);
-  app.get_formatter()->column_width(26);
-  app.add_option("record", options.record, "The record")->required()->type_name("FILE");
-  const auto count = [&](const char* name, int& value, const char* what) {
-    app.add_option(name, value, what)
-        ->type_name("N")
-        ->check(CLI::Range(1, kMost).description(""))
-        ->capture_default_str();
-  };
-  app.add_option("--methods", options.methods, "Some of the methods, by their names in the CSV file")
-      ->type_name("A,B")
-      ->delimiter(',')
-      ->check(CLI::IsMember(keys));
-  count("--pairs", options.pairs, "Pairs, spread evenly over the record");
-  count("--rounds", options.rounds, "Turns of all methods, of which each one's least mean counts");
-  count("--repeats", options.repeats, "Queries in a row, of which the mean is taken");
-  app.add_option("--csv", options.csv, "Write the figures to this file")->type_name("FILE");
-  app.add_option("--pair", options.pair, "Only the pair of this index")
-      ->type_name("INDEX")
-      ->check(CLI::NonNegativeNumber.description(""));
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& end) {
-    return app.exit(end, std::cout, std::cerr) == 0 ? kReplayed : kBadInput;
+  std::string all_keys;
+  for (const ContestMethod& method : AllContestMethods()) {
+    if (!keys.empty()) all_keys += ", ";
+    all_keys += keys.emplace_back(method.key);
   }
+  dgd_demos::CommandLine line("narrowphase_replay", kDescription, kFooter);
+  line.AddArgument("record", "FILE", options.record, "The record");
+  line.AddChoices("--methods", "A,B", options.methods, keys, "Some of the methods: " + all_keys);
+  line.AddNumber("--pairs", "N", options.pairs, {1, kMost}, "Pairs, spread evenly over the record");
+  line.AddNumber("--rounds", "N", options.rounds, {1, kMost},
+                 "Turns of all methods, of which each one's least mean counts");
+  line.AddNumber("--repeats", "N", options.repeats, {1, kMost}, "Queries in a row, of which the mean is taken");
+  line.AddPath("--csv", "FILE", options.csv, "Write the figures to this file");
+  line.AddIndex("--pair", options.pair, "Only the pair of this index");
+  if (const std::optional<int> end = line.Parse(argc, argv)) return ReplayStatus(*end);
   return options;
 }
 
@@ -284,7 +271,7 @@ ReplayStatus Run(const Options& options) {
   Print(replay.methods(), summaries);
   if (!options.csv.empty()) {
     FiguresCsv csv(options.csv);
-    const std::string work = std::filesystem::path(options.record).stem().string();
+    const std::string work = options.record.stem().string();
     for (std::size_t m = 0; m < summaries.size(); ++m) {
       const ContestMethod& method = *replay.methods()[m];
       csv.Write({work, method.key, method.title, method.IsWarm(), method.Tolerance()}, summaries[m]);

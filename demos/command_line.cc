@@ -1,0 +1,120 @@
+#include "command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <limits>
+
+#include "seed_option.h"
+
+namespace dgd_demos {
+namespace {
+
+/// Without CLI11's own description of the choices or limits in --help.
+template <class Check>
+CLI::Validator Silent(Check check) {
+  return check.description("");
+}
+
+template <class Number>
+CLI::Validator Within(const Limits<Number>& limits) {
+  return Silent(CLI::Range(limits.least, limits.most));
+}
+
+/// Shown in --help, unless there are none.
+void ShowDefaults(CLI::Option& option, bool has_defaults) {
+  if (has_defaults) option.capture_default_str();
+}
+
+}  // namespace
+
+struct CommandLine::Parser {
+  CLI::App app;
+
+  template <class Value>
+  CLI::Option& Add(const std::string& name, const std::string& kind, Value& value, const std::string& help) {
+    return *app.add_option(name, value, help)->type_name(kind);
+  }
+};
+
+CommandLine::CommandLine(const std::string& program, const std::string& description, const std::string& footer)
+    : parser_(new Parser{CLI::App(description, program)}) {
+  constexpr std::size_t kColumnOfHelp = 34;
+  parser_->app.footer(footer);
+  parser_->app.get_formatter()->column_width(kColumnOfHelp);
+}
+
+CommandLine::~CommandLine() = default;
+
+template <class Number>
+void CommandLine::AddNumber(const std::string& name, const std::string& kind, Number& value,
+                            const Limits<std::type_identity_t<Number>>& limits, const std::string& help) {
+  parser_->Add(name, kind, value, help).check(Within(limits))->capture_default_str();
+}
+
+template void CommandLine::AddNumber(const std::string&, const std::string&, int&, const Limits<int>&,
+                                     const std::string&);
+template void CommandLine::AddNumber(const std::string&, const std::string&, double&, const Limits<double>&,
+                                     const std::string&);
+
+void CommandLine::AddNumbers(const std::string& name, const std::string& kind, std::vector<double>& values,
+                             const Limits<double>& limits, const std::string& help) {
+  parser_->Add(name, kind, values, help).check(Within(limits))->capture_default_str();
+}
+
+void CommandLine::AddNumber(const std::string& name, const std::string& kind, std::optional<double>& value,
+                            const std::string& help) {
+  parser_->Add(name, kind, value, help);
+}
+
+void CommandLine::AddIndex(const std::string& name, std::optional<int>& index, const std::string& help) {
+  parser_->Add(name, "INDEX", index, help).check(Within(Limits<int>{0, std::numeric_limits<int>::max()}));
+}
+
+void CommandLine::AddSeed(std::uint64_t& seed, const std::string& help) { AddSeedOption(parser_->app, seed, help); }
+
+void CommandLine::AddText(const std::string& name, const std::string& kind, std::string& text,
+                          const std::string& help) {
+  ShowDefaults(parser_->Add(name, kind, text, help), !text.empty());
+}
+
+void CommandLine::AddPath(const std::string& name, const std::string& kind, std::filesystem::path& path,
+                          const std::string& help) {
+  ShowDefaults(parser_->Add(name, kind, path, help), !path.empty());
+}
+
+void CommandLine::AddArgument(const std::string& name, const std::string& kind, std::filesystem::path& path,
+                              const std::string& help) {
+  parser_->Add(name, kind, path, help).required();
+}
+
+void CommandLine::AddChoice(const std::string& name, const std::string& kind, std::string& choice,
+                            const std::vector<std::string>& choices, const std::string& help) {
+  CLI::Option& option = *parser_->Add(name, kind, choice, help).check(Silent(CLI::IsMember(choices)));
+  ShowDefaults(option, !choice.empty());
+}
+
+void CommandLine::AddWords(const std::string& name, const std::string& kind, std::vector<std::string>& words,
+                           const std::string& help) {
+  ShowDefaults(*parser_->Add(name, kind, words, help).delimiter(','), !words.empty());
+}
+
+void CommandLine::AddChoices(const std::string& name, const std::string& kind, std::vector<std::string>& words,
+                             const std::vector<std::string>& choices, const std::string& help) {
+  CLI::Option& option = *parser_->Add(name, kind, words, help).delimiter(',')->check(Silent(CLI::IsMember(choices)));
+  ShowDefaults(option, !words.empty());
+}
+
+void CommandLine::AddFlag(const std::string& name, bool& flag, const std::string& help) {
+  parser_->app.add_flag(name, flag, help);
+}
+
+std::optional<int> CommandLine::Parse(int argc, const char* const* argv) try {
+  parser_->app.parse(argc, argv);
+  return std::nullopt;
+} catch (const CLI::ParseError& end) {
+  // CLI11's own statuses tell kinds of mistakes apart; ours says only that there was one.
+  constexpr int kBadInput = 2;
+  return parser_->app.exit(end, std::cout, std::cerr) == 0 ? 0 : kBadInput;
+}
+
+}  // namespace dgd_demos
