@@ -20,11 +20,6 @@ CLI::Validator Within(const Limits<Number>& limits) {
   return Silent(CLI::Range(limits.least, limits.most));
 }
 
-/// Shown in --help, unless there are none.
-void ShowDefaults(CLI::Option& option, bool has_defaults) {
-  if (has_defaults) option.capture_default_str();
-}
-
 }  // namespace
 
 struct CommandLine::Parser {
@@ -33,6 +28,14 @@ struct CommandLine::Parser {
   template <class Value>
   CLI::Option& Add(const std::string& name, const std::string& kind, Value& value, const std::string& help) {
     return *app.add_option(name, value, help)->type_name(kind);
+  }
+
+  /// A value that may be empty: --help shows no default then.
+  template <class Value>
+  CLI::Option& AddText(const std::string& name, const std::string& kind, Value& value, const std::string& help) {
+    CLI::Option& option = Add(name, kind, value, help);
+    if (!value.empty()) option.capture_default_str();
+    return option;
   }
 };
 
@@ -74,12 +77,12 @@ void CommandLine::AddSeed(std::uint64_t& seed, const std::string& help) { AddSee
 
 void CommandLine::AddText(const std::string& name, const std::string& kind, std::string& text,
                           const std::string& help) {
-  ShowDefaults(parser_->Add(name, kind, text, help), !text.empty());
+  parser_->AddText(name, kind, text, help);
 }
 
 void CommandLine::AddPath(const std::string& name, const std::string& kind, std::filesystem::path& path,
                           const std::string& help) {
-  ShowDefaults(parser_->Add(name, kind, path, help), !path.empty());
+  parser_->AddText(name, kind, path, help);
 }
 
 void CommandLine::AddArgument(const std::string& name, const std::string& kind, std::filesystem::path& path,
@@ -89,19 +92,17 @@ void CommandLine::AddArgument(const std::string& name, const std::string& kind, 
 
 void CommandLine::AddChoice(const std::string& name, const std::string& kind, std::string& choice,
                             const std::vector<std::string>& choices, const std::string& help) {
-  CLI::Option& option = *parser_->Add(name, kind, choice, help).check(Silent(CLI::IsMember(choices)));
-  ShowDefaults(option, !choice.empty());
+  parser_->AddText(name, kind, choice, help).check(Silent(CLI::IsMember(choices)));
 }
 
 void CommandLine::AddWords(const std::string& name, const std::string& kind, std::vector<std::string>& words,
                            const std::string& help) {
-  ShowDefaults(*parser_->Add(name, kind, words, help).delimiter(','), !words.empty());
+  parser_->AddText(name, kind, words, help).delimiter(',');
 }
 
 void CommandLine::AddChoices(const std::string& name, const std::string& kind, std::vector<std::string>& words,
                              const std::vector<std::string>& choices, const std::string& help) {
-  CLI::Option& option = *parser_->Add(name, kind, words, help).delimiter(',')->check(Silent(CLI::IsMember(choices)));
-  ShowDefaults(option, !words.empty());
+  parser_->AddText(name, kind, words, help).delimiter(',')->check(Silent(CLI::IsMember(choices)));
 }
 
 void CommandLine::AddFlag(const std::string& name, bool& flag, const std::string& help) {

@@ -13,7 +13,7 @@
 
 namespace dgd_demos {
 
-/// Of a number, both included.
+/// Of a number; either is allowed.
 template <class Number>
 struct Limits {
   Number least, most;
@@ -59,7 +59,8 @@ class CommandLine {
   void AddFlag(const std::string& name, bool& flag, const std::string& help);
 
   /// Reads the options, or answers --help, or complains on standard error.
-  /// @return nothing; or the program is to end with this exit status: 0 after --help, 2 after a complaint.
+  /// @return nothing; or the program is to end with this exit status, as all programs name them: 0 (kSuccess) after
+  ///         --help, 2 (kBadInput) after a complaint.
   std::optional<int> Parse(int argc, const char* const* argv);
 
  private:

@@ -6,7 +6,8 @@
 namespace dgd_bench {
 
 inline void AddDurationOption(dgd_demos::CommandLine& line, double& duration) {
-  line.AddNumber("--duration", "S", duration, {0.1, 3600}, "Simulated seconds");
+  constexpr double kShortest = 0.1, kLongest = 3600;
+  line.AddNumber("--duration", "S", duration, {kShortest, kLongest}, "Simulated seconds");
 }
 
 }  // namespace dgd_bench

@@ -1,17 +1,21 @@
 // What dgd_core/include/dgd/convex_set.h asks of a core, checked for one core against the same set as plain numbers.
 //
-// The checks see a core by its functions alone, and are compiled once for each scalar and dimension.
+// The checks ask a core as the soak does (pairs/erased_core.h), and are compiled once for each scalar and dimension.
 #pragma once
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
+#include <limits>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "dgd/convex_set.h"
 #include "dgd/supporting_face.h"
+#include "support/pairs/erased_core.h"
 #include "support/random.h"
 #include "support/reference_set.h"
 
@@ -47,81 +51,54 @@ ExpectedSet<L> ExpectedHull(const std::vector<dgd::Vector<double, L>>& points) {
   return expected;
 }
 
-/// A core of either dimension by its functions: what the concepts of convex_set.h ask for. Those that a core has not
-/// are empty.
+/// A core of any type, and which of the concepts of convex_set.h its type is.
 template <class S, int L>
-struct CoreFunctions {
+struct CoreUnderTest {
   using Vector = dgd::Vector<S, L>;
-  using Support = dgd::SupportPoint<S, L>;
 
-  std::function<Support(const Vector&)> support;
-  std::function<Vector()> center;
-  std::function<S()> inradius;
-  std::function<S(const Vector&)> support_value, distance;
-  // VertexCore.
-  std::function<Vector(dgd::VertexId)> vertex;
-  std::function<dgd::VertexId()> vertex_count;
-  // SmoothCore.
-  std::function<dgd::CurvedPoint<S, L>(dgd::FeatureId, const Vector&)> piece_support;
-  std::function<dgd::FeatureId()> piece_count;
-  // FacedCore.
-  std::function<dgd::FlatDisc<S>(dgd::FeatureId)> face;
-  // HintedCore.
-  std::function<Support(const Vector&, dgd::FeatureId)> support_near;
-  // CenteredCore: a copy whose centre has been moved near to a point.
-  std::function<CoreFunctions(const Vector&)> with_center_near;
-  // Of all cores in space.
-  std::function<void(const Vector&, dgd::SupportingFace<S>&)> support_face;
+  std::shared_ptr<const CoreQuestions<S, L>> core;
+  bool has_vertices, has_pieces, has_faces, takes_hints;
+  /// The supporting face; of cores in space.
+  std::function<void(const Vector& direction, dgd::SupportingFace<S>& face)> support_face;
+  /// Of a CenteredCore, else empty: a copy whose centre has been moved near to a point.
+  std::function<CoreUnderTest(const Vector& point)> with_center_near;
 };
 
 template <dgd::CertifiableCore Core, class S = typename Core::Scalar, int L = dgd::kDimension<Core>>
-CoreFunctions<S, L> FunctionsOf(const Core& a_core) {
+CoreUnderTest<S, L> UnderTest(const Core& core) {
   using Vector = dgd::Vector<S, L>;
-  const auto core = std::make_shared<const Core>(a_core);
-  CoreFunctions<S, L> functions;
-  functions.support = [core](const Vector& direction) { return core->Support(direction); };
-  functions.center = [core] { return Vector(core->Center()); };
-  functions.inradius = [core] { return core->Inradius(); };
-  functions.support_value = [core](const Vector& direction) { return core->SupportValue(direction); };
-  functions.distance = [core](const Vector& point) { return core->Distance(point); };
-  if constexpr (dgd::VertexCore<Core>) {
-    functions.vertex = [core](dgd::VertexId vertex) { return Vector(core->Vertex(vertex)); };
-    functions.vertex_count = [core] { return core->VertexCount(); };
-  }
-  if constexpr (dgd::SmoothCore<Core>) {
-    functions.piece_support = [core](dgd::FeatureId piece, const Vector& d) { return core->PieceSupport(piece, d); };
-    functions.piece_count = [core] { return core->PieceCount(); };
-  }
-  if constexpr (dgd::FacedCore<Core>) functions.face = [core](dgd::FeatureId piece) { return core->Face(piece); };
-  if constexpr (dgd::HintedCore<Core>) {
-    functions.support_near = [core](const Vector& direction, dgd::FeatureId hint) {
-      return core->Support(direction, hint);
+  static_assert(!(dgd::VertexCore<Core> && dgd::SmoothCore<Core>), "features are either");
+  CoreUnderTest<S, L> under_test{.core = std::make_shared<CoreAnswers<Core>>(core),
+                                 .has_vertices = dgd::VertexCore<Core>,
+                                 .has_pieces = dgd::SmoothCore<Core>,
+                                 .has_faces = dgd::FacedCore<Core>,
+                                 .takes_hints = dgd::HintedCore<Core>,
+                                 .support_face = {},
+                                 .with_center_near = {}};
+  if constexpr (L == 3) {
+    under_test.support_face = [core](const Vector& direction, dgd::SupportingFace<S>& face) {
+      core.SupportFace(direction, face);
     };
   }
   if constexpr (dgd::CenteredCore<Core>) {
-    functions.with_center_near = [core](const Vector& point) {
-      Core moved = *core;
+    under_test.with_center_near = [core](const Vector& point) {
+      Core moved = core;
       moved.MoveCenterNear(point);
-      return FunctionsOf(moved);
+      return UnderTest(moved);
     };
   }
-  if constexpr (L == 3) {
-    functions.support_face = [core](const Vector& direction, dgd::SupportingFace<S>& face) {
-      core->SupportFace(direction, face);
-    };
-  }
-  return functions;
+  return under_test;
 }
 
-/// Checks all that a core with these functions promises. S is float or double, L is 2 or 3.
+/// Checks all that a core of these concepts promises. S is float or double, L is 2 or 3.
 /// @param discretisation  Metres that a supporting face may be lower than the core: the part that a polygon takes off a
 ///                        disc.
 template <class S, int L>
-void CheckContract(const CoreFunctions<S, L>& core, const ExpectedSet<L>& expected, double discretisation);
+void CheckContract(const CoreUnderTest<S, L>& under_test, const ExpectedSet<L>& expected, double discretisation);
 
 template <class Core>
 void CheckExpected(const Core& core, const ExpectedSet<dgd::kDimension<Core>>& expected, double discretisation = 0) {
-  CheckContract(FunctionsOf(core), expected, discretisation);
+  CheckContract(UnderTest(core), expected, discretisation);
 }
 
 template <class Core>

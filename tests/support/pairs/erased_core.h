@@ -21,6 +21,7 @@ class CoreQuestions {
   using Point = dgd::Vector<S, L>;
 
   virtual ~CoreQuestions() = default;
+  virtual dgd::SupportPoint<S, L> Support(const Point& direction) const = 0;
   virtual dgd::SupportPoint<S, L> Support(const Point& direction, dgd::FeatureId hint) const = 0;
   virtual dgd::SupportPoint<S, L> GuessSupport(const Point& direction) const = 0;
   virtual bool IsGuessing() const = 0;
@@ -50,12 +51,9 @@ class CoreAnswers final : public CoreQuestions<typename Core::Scalar, dgd::kDime
 
   explicit CoreAnswers(Core core) : core_(std::move(core)) {}
 
-  dgd::SupportPoint<S, L> Support(const Point& direction, [[maybe_unused]] dgd::FeatureId hint) const override {
-    if constexpr (dgd::HintedCore<Core>) {
-      return core_.Support(direction, hint);
-    } else {
-      return core_.Support(direction);
-    }
+  dgd::SupportPoint<S, L> Support(const Point& direction) const override { return core_.Support(direction); }
+  dgd::SupportPoint<S, L> Support(const Point& direction, dgd::FeatureId hint) const override {
+    return dgd::SupportNear(core_, direction, hint);
   }
   dgd::SupportPoint<S, L> GuessSupport(const Point& direction) const override {
     return dgd::GuessSupport(core_, direction);
@@ -115,9 +113,7 @@ class ErasedCore {
 
   explicit ErasedCore(std::shared_ptr<const CoreQuestions<Scalar, L>> core) : core_(std::move(core)) {}
 
-  dgd::SupportPoint<Scalar, L> Support(const Point& direction) const {
-    return core_->Support(direction, dgd::kNoFeature);
-  }
+  dgd::SupportPoint<Scalar, L> Support(const Point& direction) const { return core_->Support(direction); }
   dgd::SupportPoint<Scalar, L> Support(const Point& direction, dgd::FeatureId hint) const {
     return core_->Support(direction, hint);
   }
