@@ -27,4 +27,15 @@ bool Invert(const SquareMatrix<S, 2>& matrix, SquareMatrix<S, 2>& inverse) {
   return true;
 }
 
+template <class S>
+bool Invert(const SquareMatrix<S, 3>& matrix, SquareMatrix<S, 3>& inverse) {
+  const Vector3<S> first = matrix.col(1).cross(matrix.col(2));
+  const S determinant = matrix.col(0).dot(first);
+  if (!std::isgreaterequal(std::abs(determinant), std::numeric_limits<S>::min())) return false;
+  inverse << first.transpose(), matrix.col(2).cross(matrix.col(0)).transpose(),
+      matrix.col(0).cross(matrix.col(1)).transpose();
+  inverse /= determinant;
+  return true;
+}
+
 }  // namespace dgd

@@ -56,7 +56,7 @@ class Ellipsoid {
   auto Spread() const { return SpreadOfExtents<S, L>(semi_axes_); }
 
   /// Largest <direction, x> over the core.
-  S SupportValue(const Vector<S, L>& direction) const { return semi_axes_.cwiseProduct(direction).stableNorm(); }
+  S SupportValue(const Vector<S, L>& direction) const { return OnBall(direction).length; }
 
   /// Distance of `point` to the core, metres; 0 inside. Right to some roundings of the distance or the largest axis.
   S Distance(const Vector<S, L>& point) const;

@@ -2,12 +2,12 @@
 // certificates, so it is plain rather than fast.
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <limits>
 
 #include "dgd/convex_set.h"
+#include "dgd/invert.h"
 #include "dgd/shapes/triangle.h"
 #include "dgd/types.h"
 
@@ -110,8 +110,10 @@ class SupportDistance {
       const VectorL slope = gap - u * u.dot(gap);
       // Along u, where a step makes no difference, the matrix is the identity.
       SquareMatrix<double, L> curvature = curved.derivative.template cast<double>() + u * u.transpose();
-      curvature.diagonal().array() += std::max(u.dot(gap), 0.0) + std::numeric_limits<double>::min();
-      VectorL move = curvature.ldlt().solve(slope);
+      curvature.diagonal().array() += std::max(u.dot(gap), 0.0);
+      SquareMatrix<double, L> inverse;
+      if (!Invert(curvature, inverse)) return;
+      VectorL move = inverse * slope;
       move -= u * u.dot(move);
       if (!move.allFinite()) return;
       bool rises = false;
