@@ -1,10 +1,9 @@
 // The pairs of types of MakeSpeedPair(); for its translation units, one for each dimension.
 #pragma once
 
-#include <concepts>
-#include <cstddef>
+#include <algorithm>
+#include <array>
 #include <memory>
-#include <type_traits>
 #include <utility>
 
 #include "bench/typed_speed_pair.h"
@@ -13,24 +12,22 @@
 namespace dgd_bench {
 
 /// Types that all meet each other, in the order in which they come first in a pair.
-template <class... Cores>
-struct CoreList {
-  template <class Core>
-  static constexpr std::size_t PlaceOf() {
-    std::size_t place = 0;
-    const bool is_in_list = ((std::same_as<Core, Cores> || (++place, false)) || ...);
-    return is_in_list ? place : sizeof...(Cores);
-  }
+template <dgd_test::SetType... kTypes>
+struct TypeList {
+  static constexpr std::array kAll{kTypes...};
 
-  template <class Core1, class Core2>
-  static constexpr bool kHasPair = PlaceOf<Core1>() <= PlaceOf<Core2>() && PlaceOf<Core2>() < sizeof...(Cores);
+  static constexpr bool HasPair(dgd_test::SetType type_1, dgd_test::SetType type_2) {
+    const auto first = std::find(kAll.begin(), kAll.end(), type_1);
+    return std::find(first, kAll.end(), type_2) != kAll.end();
+  }
 };
 
 /// A type and those that it meets.
-template <class First, class... Seconds>
-struct CoreAndPartners {
-  template <class Core1, class Core2>
-  static constexpr bool kHasPair = std::same_as<Core1, First> && (std::same_as<Core2, Seconds> || ...);
+template <dgd_test::SetType kFirst, dgd_test::SetType... kSeconds>
+struct TypeAndPartners {
+  static constexpr bool HasPair(dgd_test::SetType type_1, dgd_test::SetType type_2) {
+    return type_1 == kFirst && ((type_2 == kSeconds) || ...);
+  }
 };
 
 /// A pair with its sets in the other order.
@@ -57,17 +54,17 @@ class SwappedSpeedPair final : public SpeedPair<L> {
 };
 
 /// Null for types that are in none of the lists.
-/// @tparam Lists  CoreList or CoreAndPartners each.
+/// @tparam Lists  TypeList or TypeAndPartners each.
 template <int L, class... Lists>
 std::unique_ptr<SpeedPair<L>> MakeOf(const dgd_test::SetNumbers& set_1, const dgd_test::SetNumbers& set_2) {
+  using dgd_test::SetType;
   using Made = std::unique_ptr<SpeedPair<L>>;
-  // Only their types count here.
-  return dgd_test::WithCore<double, L>(set_1, [&]<class Core1>(const Core1&) -> Made {
-    return dgd_test::WithCore<double, L>(set_2, [&]<class Core2>(const Core2&) -> Made {
-      if constexpr ((Lists::template kHasPair<Core1, Core2> || ...)) {
-        return std::make_unique<TypedSpeedPair<Core1, Core2>>(set_1, set_2);
-      } else if constexpr ((Lists::template kHasPair<Core2, Core1> || ...)) {
-        return std::make_unique<SwappedSpeedPair<L>>(std::make_unique<TypedSpeedPair<Core2, Core1>>(set_2, set_1));
+  return dgd_test::WithType<L>(set_1.type, [&]<SetType kType1>() -> Made {
+    return dgd_test::WithType<L>(set_2.type, [&]<SetType kType2>() -> Made {
+      if constexpr ((Lists::HasPair(kType1, kType2) || ...)) {
+        return std::make_unique<TypedSpeedPair<kType1, kType2>>(set_1, set_2);
+      } else if constexpr ((Lists::HasPair(kType2, kType1) || ...)) {
+        return std::make_unique<SwappedSpeedPair<L>>(std::make_unique<TypedSpeedPair<kType2, kType1>>(set_2, set_1));
       } else {
         return nullptr;
       }

@@ -4,9 +4,8 @@
 namespace dgd_bench {
 
 std::unique_ptr<SpeedPair<3>> MakePrimitivePair(const dgd_test::SetNumbers& set_1, const dgd_test::SetNumbers& set_2) {
-  using Primitives = CoreList<dgd::Point<double>, dgd::Segment<double>, dgd::Box<double>, dgd::Cylinder<double>,
-                              dgd::Cone<double>, dgd::Frustum<double>, dgd::Ellipsoid<double>>;
-  return MakeOf<3, Primitives>(set_1, set_2);
+  using enum dgd_test::SetType;
+  return MakeOf<3, TypeList<kPoint, kSegment, kBox, kCylinder, kCone, kFrustum, kEllipsoid>>(set_1, set_2);
 }
 
 }  // namespace dgd_bench

@@ -1,9 +1,7 @@
 // SpeedPair for one pair of types.
 #pragma once
 
-#include <concepts>
 #include <limits>
-#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
@@ -26,50 +24,28 @@ class CoreHolder {
   static constexpr int L = dgd::kDimension<Core>;
 
   CoreHolder(Core core, double radius) : core_(std::move(core)), radius_(static_cast<Scalar>(radius)) {}
-  /// Throws std::logic_error for numbers of another type.
-  explicit CoreHolder(const dgd_test::SetNumbers& numbers) : CoreHolder(CoreFrom(numbers), numbers.radius) {}
 
   Set MakeSet() const { return Set{core_, radius_}; }
   double Extent() const { return dgd_test::Extent(core_, radius_); }
 
  private:
-  static Core CoreFrom(const dgd_test::SetNumbers& numbers) {
-    return dgd_test::WithCore<Scalar, L>(numbers, []<class Made>(Made core) -> Core {
-      if constexpr (std::same_as<Made, Core>) return core;
-      throw std::logic_error("a core of another type");
-    });
-  }
-
   Core core_;
   Scalar radius_;
 };
 
-/// The same core in float.
-template <class Core>
-struct FloatCore;
-template <template <class> class Core>
-struct FloatCore<Core<double>> {
-  using Type = Core<float>;
-};
-template <template <class, int> class Core, int L>
-struct FloatCore<Core<double, L>> {
-  using Type = Core<float, L>;
-};
-template <template <class, dgd::VertexId> class Core, dgd::VertexId kMostScanned>
-struct FloatCore<Core<double, kMostScanned>> {
-  using Type = Core<float, kMostScanned>;
-};
-
 /// The sets of one scalar in their poses, asked by the solver.
-template <class Core1, class Core2>
+template <class Scalar, dgd_test::SetType kType1, dgd_test::SetType kType2>
 class SolverSide {
  public:
-  using S = typename Core1::Scalar;
+  using S = Scalar;
+  using Core1 = dgd_test::CoreOf<S, kType1>;
+  using Core2 = dgd_test::CoreOf<S, kType2>;
   static constexpr int L = dgd::kDimension<Core1>;
   using Pose = dgd::Pose<S, L>;
 
   SolverSide(const dgd_test::SetNumbers& set_1, const dgd_test::SetNumbers& set_2)
-      : holder_1_(set_1), holder_2_(set_2) {}
+      : holder_1_(dgd_test::MakeCore<S, kType1>(set_1), set_1.radius),
+        holder_2_(dgd_test::MakeCore<S, kType2>(set_2), set_2.radius) {}
 
   const auto& set_1() const { return set_1_; }
   const auto& set_2() const { return set_2_; }
@@ -111,10 +87,10 @@ class SolverSide {
   dgd::WarmStart<S, L> warm_start_;
 };
 
-template <class Core1, class Core2>
-class TypedSpeedPair final : public SpeedPair<dgd::kDimension<Core1>> {
+template <dgd_test::SetType kType1, dgd_test::SetType kType2>
+class TypedSpeedPair final : public SpeedPair<dgd_test::InfoOf(kType1).dimension> {
  public:
-  static constexpr int L = dgd::kDimension<Core1>;
+  static constexpr int L = dgd_test::InfoOf(kType1).dimension;
   using Result = dgd::Result<double, L>;
 
   TypedSpeedPair(const dgd_test::SetNumbers& set_1, const dgd_test::SetNumbers& set_2)
@@ -215,10 +191,11 @@ class TypedSpeedPair final : public SpeedPair<dgd::kDimension<Core1>> {
     return {.is_failure = !is_right};
   }
 
-  SolverSide<Core1, Core2> ours_;
-  SolverSide<typename FloatCore<Core1>::Type, typename FloatCore<Core2>::Type> ours_float_;
-  Yardsticks<typename CoreHolder<Core1>::Set::Core, typename CoreHolder<Core2>::Set::Core> yardsticks_{ours_.set_1(),
-                                                                                                       ours_.set_2()};
+  SolverSide<double, kType1, kType2> ours_;
+  SolverSide<float, kType1, kType2> ours_float_;
+  Yardsticks<typename CoreHolder<dgd_test::CoreOf<double, kType1>>::Set::Core,
+             typename CoreHolder<dgd_test::CoreOf<double, kType2>>::Set::Core>
+      yardsticks_{ours_.set_1(), ours_.set_2()};
 };
 
 }  // namespace dgd_bench

@@ -13,10 +13,122 @@
 namespace dgd_test {
 namespace core_internal {
 
+template <class S, SetType kType>
+struct Wanted {};
+
+template <class S>
+dgd::Vector3<S> PointOf(const SetNumbers& set, std::size_t i) {
+  return set.points.at(i).cast<S>();
+}
+
 template <class S, class Core>
-auto Mapped(Core core, const SetNumbers& set) {
-  return dgd::Transformed(std::move(core), dgd::Matrix3<S>(set.stretch.cast<S>()),
-                          dgd::Vector3<S>(set.points.at(0).cast<S>()));
+dgd::Transformed<Core> Mapped(const Core& core, const SetNumbers& set) {
+  return dgd::Transformed(core, dgd::Matrix3<S>(set.stretch.cast<S>()), PointOf<S>(set, 0));
+}
+
+template <class S>
+dgd::Point<S> Make(Wanted<S, SetType::kPoint>, const SetNumbers&) {
+  return {};
+}
+/// Half length.
+template <class S>
+dgd::Segment<S> Make(Wanted<S, SetType::kSegment>, const SetNumbers& set) {
+  return dgd::Segment<S>(static_cast<S>(set.lengths[0]));
+}
+template <class S>
+dgd::Triangle<S> Make(Wanted<S, SetType::kTriangle>, const SetNumbers& set) {
+  return {PointOf<S>(set, 0), PointOf<S>(set, 1), PointOf<S>(set, 2)};
+}
+/// Half extents.
+template <class S>
+dgd::Box<S> Make(Wanted<S, SetType::kBox>, const SetNumbers& set) {
+  return dgd::Box<S>(set.lengths.cast<S>());
+}
+/// Radius, half height.
+template <class S>
+dgd::Cylinder<S> Make(Wanted<S, SetType::kCylinder>, const SetNumbers& set) {
+  return {static_cast<S>(set.lengths[0]), static_cast<S>(set.lengths[1])};
+}
+/// Radius, height.
+template <class S>
+dgd::Cone<S> Make(Wanted<S, SetType::kCone>, const SetNumbers& set) {
+  return {static_cast<S>(set.lengths[0]), static_cast<S>(set.lengths[1])};
+}
+/// Base radius, top radius, height.
+template <class S>
+dgd::Frustum<S> Make(Wanted<S, SetType::kFrustum>, const SetNumbers& set) {
+  return {static_cast<S>(set.lengths[0]), static_cast<S>(set.lengths[1]), static_cast<S>(set.lengths[2])};
+}
+/// Semi-axes.
+template <class S>
+dgd::Ellipsoid<S> Make(Wanted<S, SetType::kEllipsoid>, const SetNumbers& set) {
+  return dgd::Ellipsoid<S>(set.lengths.cast<S>());
+}
+/// The points' hull.
+template <class S>
+dgd::Polytope<S> Make(Wanted<S, SetType::kPolytope>, const SetNumbers& set) {
+  return dgd::Polytope<S>(set.points);
+}
+/// The points' hull.
+template <class S>
+dgd::Mesh<S> Make(Wanted<S, SetType::kMesh>, const SetNumbers& set) {
+  return dgd::Mesh<S>(set.points);
+}
+template <class S>
+dgd::Dsf<S> Make(Wanted<S, SetType::kDsf>, const SetNumbers& set) {
+  return dgd::Dsf<S>(set.points, set.exponent);
+}
+/// Half extents, map, offset.
+template <class S>
+dgd::Transformed<dgd::Box<S>> Make(Wanted<S, SetType::kAffineBox>, const SetNumbers& set) {
+  return Mapped<S>(Make(Wanted<S, SetType::kBox>(), set), set);
+}
+/// Radius, half height, map, offset.
+template <class S>
+dgd::Transformed<dgd::Cylinder<S>> Make(Wanted<S, SetType::kAffineCylinder>, const SetNumbers& set) {
+  return Mapped<S>(Make(Wanted<S, SetType::kCylinder>(), set), set);
+}
+/// Half extents.
+template <class S>
+PlainBox<S> Make(Wanted<S, SetType::kPlainBox>, const SetNumbers& set) {
+  return PlainBox<S>(set.lengths.cast<S>());
+}
+/// Semi-axes.
+template <class S>
+Superellipsoid<S, 3> Make(Wanted<S, SetType::kSuperellipsoid>, const SetNumbers& set) {
+  return {set.lengths.cast<S>(), set.exponent};
+}
+
+template <class S>
+dgd::Point<S, 2> Make(Wanted<S, SetType::kCircle>, const SetNumbers&) {
+  return {};
+}
+/// Half length.
+template <class S>
+dgd::Segment<S, 2> Make(Wanted<S, SetType::kStadium>, const SetNumbers& set) {
+  return dgd::Segment<S, 2>(static_cast<S>(set.lengths[0]));
+}
+/// Half extents.
+template <class S>
+dgd::Box<S, 2> Make(Wanted<S, SetType::kRectangle>, const SetNumbers& set) {
+  return dgd::Box<S, 2>(set.lengths.head<2>().cast<S>());
+}
+/// Semi-axes.
+template <class S>
+dgd::Ellipsoid<S, 2> Make(Wanted<S, SetType::kEllipse>, const SetNumbers& set) {
+  return dgd::Ellipsoid<S, 2>(set.lengths.head<2>().cast<S>());
+}
+/// The points' hull.
+template <class S>
+dgd::Polygon<S> Make(Wanted<S, SetType::kPolygon>, const SetNumbers& set) {
+  std::vector<Eigen::Vector2d> points;
+  for (const Eigen::Vector3d& point : set.points) points.push_back(point.head<2>());
+  return dgd::Polygon<S>(points);
+}
+/// Semi-axes.
+template <class S>
+Superellipsoid<S, 2> Make(Wanted<S, SetType::kSuperellipse>, const SetNumbers& set) {
+  return {set.lengths.head<2>().cast<S>(), set.exponent};
 }
 
 [[noreturn]] inline void RefuseType(SetType type, int dimension) {
@@ -24,81 +136,39 @@ auto Mapped(Core core, const SetNumbers& set) {
                               " dimensions");
 }
 
-template <class S, class Use>
-auto WithSolid(const SetNumbers& set, const Use& use) -> decltype(use(dgd::Point<S>())) {
-  const dgd::Vector3<S> lengths = set.lengths.cast<S>();
-  const auto point = [&set](std::size_t i) -> dgd::Vector3<S> { return set.points.at(i).cast<S>(); };
-  switch (set.type) {
-    case SetType::kPoint:
-      return use(dgd::Point<S>());
-    case SetType::kSegment:  // Half length.
-      return use(dgd::Segment<S>(lengths[0]));
-    case SetType::kTriangle:
-      return use(dgd::Triangle<S>(point(0), point(1), point(2)));
-    case SetType::kBox:  // Half extents.
-      return use(dgd::Box<S>(lengths));
-    case SetType::kCylinder:  // Radius, half height.
-      return use(dgd::Cylinder<S>(lengths[0], lengths[1]));
-    case SetType::kCone:  // Radius, height.
-      return use(dgd::Cone<S>(lengths[0], lengths[1]));
-    case SetType::kFrustum:  // Base radius, top radius, height.
-      return use(dgd::Frustum<S>(lengths[0], lengths[1], lengths[2]));
-    case SetType::kEllipsoid:  // Semi-axes.
-      return use(dgd::Ellipsoid<S>(lengths));
-    case SetType::kPolytope:  // The points' hull.
-      return use(dgd::Polytope<S>(set.points));
-    case SetType::kMesh:  // The points' hull.
-      return use(dgd::Mesh<S>(set.points));
-    case SetType::kDsf:
-      return use(dgd::Dsf<S>(set.points, set.exponent));
-    case SetType::kAffineBox:  // Half extents, map, offset.
-      return use(Mapped<S>(dgd::Box<S>(lengths), set));
-    case SetType::kAffineCylinder:  // Radius, half height, map, offset.
-      return use(Mapped<S>(dgd::Cylinder<S>(lengths[0], lengths[1]), set));
-    case SetType::kPlainBox:  // Half extents.
-      return use(PlainBox<S>(lengths));
-    case SetType::kSuperellipsoid:  // Semi-axes.
-      return use(Superellipsoid<S, 3>(lengths, set.exponent));
-    default:
-      RefuseType(set.type, 3);
-  }
-}
-
-template <class S, class Use>
-auto WithFlat(const SetNumbers& set, const Use& use) -> decltype(use(dgd::Point<S, 2>())) {
-  const dgd::Vector2<S> lengths = set.lengths.head<2>().cast<S>();
-  switch (set.type) {
-    case SetType::kCircle:
-      return use(dgd::Point<S, 2>());
-    case SetType::kStadium:  // Half length.
-      return use(dgd::Segment<S, 2>(lengths[0]));
-    case SetType::kRectangle:  // Half extents.
-      return use(dgd::Box<S, 2>(lengths));
-    case SetType::kEllipse:  // Semi-axes.
-      return use(dgd::Ellipsoid<S, 2>(lengths));
-    case SetType::kPolygon: {  // The points' hull.
-      std::vector<Eigen::Vector2d> points;
-      for (const Eigen::Vector3d& point : set.points) points.push_back(point.head<2>());
-      return use(dgd::Polygon<S>(points));
-    }
-    case SetType::kSuperellipse:  // Semi-axes.
-      return use(Superellipsoid<S, 2>(lengths, set.exponent));
-    default:
-      RefuseType(set.type, 2);
-  }
-}
-
 }  // namespace core_internal
 
-/// What `use` makes of the core, which is a template of any core: the radius is not in it.
+template <class S, SetType kType>
+using CoreOf = decltype(core_internal::Make(core_internal::Wanted<S, kType>(), std::declval<const SetNumbers&>()));
+
+/// The core that the numbers say; their type is kType.
+template <class S, SetType kType>
+CoreOf<S, kType> MakeCore(const SetNumbers& set) {
+  return core_internal::Make(core_internal::Wanted<S, kType>(), set);
+}
+
+/// What `use` makes of the type, its template argument.
 /// Throws std::invalid_argument for a type of another dimension.
+template <int L, std::size_t kPlace = 0, class Use>
+auto WithType(SetType type, const Use& use) {
+  constexpr SetTypeInfo kInfo = kSetTypes[kPlace];
+  if constexpr (kInfo.dimension != L) {
+    return WithType<L, kPlace + 1>(type, use);
+  } else {
+    if (type == kInfo.type) return use.template operator()<kInfo.type>();
+    if constexpr (kPlace + 1 < kSetTypeCount && kSetTypes[kPlace + 1].dimension == L) {
+      return WithType<L, kPlace + 1>(type, use);
+    } else {
+      core_internal::RefuseType(type, L);
+    }
+  }
+}
+
+/// What `use` makes of the core, which is a template of any core: the radius is not in it.
+/// Throws as WithType() does.
 template <class S, int L, class Use>
 auto WithCore(const SetNumbers& set, const Use& use) {
-  if constexpr (L == 2) {
-    return core_internal::WithFlat<S>(set, use);
-  } else {
-    return core_internal::WithSolid<S>(set, use);
-  }
+  return WithType<L>(set.type, [&]<SetType kType> { return use(MakeCore<S, kType>(set)); });
 }
 
 }  // namespace dgd_test
