@@ -139,9 +139,12 @@ class Zookeeper {
 
 std::vector<ZooShape> MakeShapeZoo(double size) { return Zookeeper(size).Build(); }
 
-std::vector<std::string> ShapeZooNames() {
-  std::vector<std::string> names;
-  for (const ZooShape& shape : MakeShapeZoo(1)) names.push_back(shape.name);
+const std::vector<std::string>& ShapeZooNames() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const ZooShape& shape : MakeShapeZoo(1)) all.push_back(shape.name);
+    return all;
+  }();
   return names;
 }
 

@@ -25,7 +25,7 @@ struct ZooShape {
 std::vector<ZooShape> MakeShapeZoo(double size);
 
 /// Names only, for parameterized tests; those of MakeShapeZoo() in its order.
-std::vector<std::string> ShapeZooNames();
+const std::vector<std::string>& ShapeZooNames();
 
 /// Hull of `count` points near a sphere of the given diameter.
 std::shared_ptr<btConvexHullShape> MakeRandomHull(Random& random, int count, double diameter);
