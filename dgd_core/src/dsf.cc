@@ -1,5 +1,6 @@
 #include "dgd/shapes/dsf.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>

@@ -38,17 +38,19 @@ template <class Scalar, dgd_test::SetType kType1, dgd_test::SetType kType2>
 class SolverSide {
  public:
   using S = Scalar;
-  using Core1 = dgd_test::CoreOf<S, kType1>;
-  using Core2 = dgd_test::CoreOf<S, kType2>;
-  static constexpr int L = dgd::kDimension<Core1>;
+  using Holder1 = CoreHolder<dgd_test::CoreOf<S, kType1>>;
+  using Holder2 = CoreHolder<dgd_test::CoreOf<S, kType2>>;
+  using Set1 = typename Holder1::Set;
+  using Set2 = typename Holder2::Set;
+  static constexpr int L = Holder1::L;
   using Pose = dgd::Pose<S, L>;
 
   SolverSide(const dgd_test::SetNumbers& set_1, const dgd_test::SetNumbers& set_2)
       : holder_1_(dgd_test::MakeCore<S, kType1>(set_1), set_1.radius),
         holder_2_(dgd_test::MakeCore<S, kType2>(set_2), set_2.radius) {}
 
-  const auto& set_1() const { return set_1_; }
-  const auto& set_2() const { return set_2_; }
+  const Set1& set_1() const { return set_1_; }
+  const Set2& set_2() const { return set_2_; }
   const Pose& pose_1() const { return pose_1_; }
   const Pose& pose_2() const { return pose_2_; }
   double Extent() const { return holder_1_.Extent() + holder_2_.Extent(); }
@@ -79,10 +81,10 @@ class SolverSide {
     return {pose.rotation.topLeftCorner<L, L>().template cast<S>(), pose.translation.head<L>().template cast<S>()};
   }
 
-  CoreHolder<Core1> holder_1_;
-  CoreHolder<Core2> holder_2_;
-  typename CoreHolder<Core1>::Set set_1_ = holder_1_.MakeSet();
-  typename CoreHolder<Core2>::Set set_2_ = holder_2_.MakeSet();
+  Holder1 holder_1_;
+  Holder2 holder_2_;
+  Set1 set_1_ = holder_1_.MakeSet();
+  Set2 set_2_ = holder_2_.MakeSet();
   Pose pose_1_, pose_2_;
   dgd::WarmStart<S, L> warm_start_;
 };
@@ -191,11 +193,11 @@ class TypedSpeedPair final : public SpeedPair<dgd_test::InfoOf(kType1).dimension
     return {.is_failure = !is_right};
   }
 
-  SolverSide<double, kType1, kType2> ours_;
+  using Ours = SolverSide<double, kType1, kType2>;
+
+  Ours ours_;
   SolverSide<float, kType1, kType2> ours_float_;
-  Yardsticks<typename CoreHolder<dgd_test::CoreOf<double, kType1>>::Set::Core,
-             typename CoreHolder<dgd_test::CoreOf<double, kType2>>::Set::Core>
-      yardsticks_{ours_.set_1(), ours_.set_2()};
+  Yardsticks<typename Ours::Set1::Core, typename Ours::Set2::Core> yardsticks_{ours_.set_1(), ours_.set_2()};
 };
 
 }  // namespace dgd_bench

@@ -148,6 +148,7 @@ CoreOf<S, kType> MakeCore(const SetNumbers& set) {
 }
 
 /// What `use` makes of the type, its template argument.
+/// @tparam kPlace  Where in kSetTypes to look from.
 /// Throws std::invalid_argument for a type of another dimension.
 template <int L, std::size_t kPlace = 0, class Use>
 auto WithType(SetType type, const Use& use) {

@@ -6,7 +6,6 @@
 // at least the largest height.
 #pragma once
 
-#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -17,16 +16,14 @@
 
 namespace dgd {
 
-/// The set in double, whatever scalar it is asked in: powers are most of the cost in either, so its functions are
-/// compiled once. For Dsf.
+/// What Dsf asks, in double whatever its scalar is: powers are most of the cost in either, so this is compiled once.
+/// Frame, units and errors are Dsf's.
 class DsfInDouble {
  public:
   using Scalar = double;
 
-  /// Throws as Dsf does.
   DsfInDouble(const ConvexHull& hull, double exponent);
 
-  /// As Dsf's.
   SupportPoint<double> Support(const Eigen::Vector3d& direction) const;
   CurvedPoint<double> PieceSupport(FeatureId, const Eigen::Vector3d& direction) const;
   FeatureId PieceCount() const { return 1; }

@@ -112,7 +112,7 @@ class SupportDistance {
       SquareMatrix<double, L> curvature = curved.derivative.template cast<double>() + u * u.transpose();
       curvature.diagonal().array() += std::max(u.dot(gap), 0.0);
       SquareMatrix<double, L> inverse;
-      if (!Invert(curvature, inverse)) return;
+      if (!Invert(curvature, inverse)) return;  // Flat, and x not beyond: the bound stays.
       VectorL move = inverse * slope;
       move -= u * u.dot(move);
       if (!move.allFinite()) return;
