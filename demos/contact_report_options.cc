@@ -46,7 +46,8 @@ faster, and may miss the deepest moment of an impact.
 
 Narrowphases: builtin is Bullet's; dgd the plugin with its default options; dgd_growth has the growth distance's own
 normals in place of those of least translation; dgd_sharp leaves out the margins, which the oracle, judging the
-scene's shapes with them, counts as penetration.
+scene's shapes with them, counts as penetration; dgd_lean has no manifolds for pairs that do not touch, which costs
+Bullet less.
 
 FILE gets a row a run as soon as it is done, in SI units: interrupt at any time.
 

@@ -2,17 +2,14 @@
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
-#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
 #include "dgd_bullet/options.h"
 
 namespace dgd_bullet {
 
 /// Metres, by the options or the manifold's breaking threshold, and what an app that asks adds.
-/// @param output  With its manifold.
-inline double ContactDistance(const Options& options, const btManifoldResult& output) {
-  return (options.contact_distance > 0 ? options.contact_distance
-                                       : double(output.getPersistentManifold()->getContactBreakingThreshold())) +
+inline double ContactDistance(const Options& options, double breaking_threshold, const btManifoldResult& output) {
+  return (options.contact_distance > 0 ? options.contact_distance : breaking_threshold) +
          double(output.m_closestPointDistanceThreshold);
 }
 

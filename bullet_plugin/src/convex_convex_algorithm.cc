@@ -96,7 +96,7 @@ ConvexConvexAlgorithm::ConvexConvexAlgorithm(const btCollisionAlgorithmConstruct
     : btCollisionAlgorithm(info), narrowphase_(narrowphase), manifold_(info.m_manifold), speculative_(speculative) {}
 
 ConvexConvexAlgorithm::~ConvexConvexAlgorithm() {
-  if (owns_manifold_) m_dispatcher->releaseManifold(manifold_);
+  if (manifold_.IsOwn()) manifold_.GiveBack(*m_dispatcher);
 }
 
 void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* body_0,
@@ -104,35 +104,53 @@ void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* bod
                                              btManifoldResult* output) {
   PrefetchNext(*body_0, *body_1);
   if (Recorder* recorder = narrowphase_.options().recorder) recorder->Add(*body_0, *body_1);
-  const auto count = [&](Fallback fallback) {
-    narrowphase_.CountFallback(*body_0->getCollisionShape(), *body_1->getCollisionShape(), fallback);
-  };
-  if (!HasManifold(body_0, body_1)) return count(Fallback::kNoMemory);
-  output->setPersistentManifold(manifold_);
-  if (StaysAtRest(*body_0, *body_1, info, *output)) return;
+  const bool is_new = manifold_.IsNew();
+  const bool can_do_without = CanDoWithoutManifold(*body_0, *body_1, *output);
+  if ((is_new || !can_do_without) && !HasManifold(*body_0, *body_1)) {
+    return Count(Fallback::kNoMemory, *body_0, *body_1);
+  }
+  manifold_.ShowTo(*output);
+  // Not at once: most likely such bodies touch again.
+  const bool gives_back = can_do_without && !is_new && !had_contact_;
+  Answer(body_0, body_1, info, *output);
+  if (!gives_back || had_contact_ || !manifold_ || !manifold_.IsEmpty()) return;
+  manifold_.GiveBack(*m_dispatcher);
+  manifold_.ShowTo(*output);
+}
+
+void ConvexConvexAlgorithm::Answer(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1,
+                                   const btDispatcherInfo& info, btManifoldResult& output) {
+  if (StaysAtRest(*body_0, *body_1, info, output)) return;
   is_resting_ = false;
-  if (StaysApart(*body_0, *body_1, info, *output)) return;
-  const std::optional<Fallback> fallback = FindContacts(body_0, body_1, info, *output);
+  if (StaysApart(*body_0, *body_1, info, output)) return;
+  const std::optional<Fallback> fallback = FindContacts(body_0, body_1, info, output);
   if (!fallback) return;
-  count(*fallback);
+  Count(*fallback, *body_0, *body_1);
   // Bullet has no answer to what is no shape or no pose either: it reads points that a hull has not, and keeps NaN.
   if (!IsAnsweredByBullet(*fallback)) {
-    if (owns_manifold_) manifold_->clearManifold();
+    if (manifold_.IsOwn() && manifold_) manifold_->clearManifold();
     return;
   }
-  narrowphase_.FallBack(*m_dispatcher, body_0, body_1, info, *output);
-  if (owns_manifold_) {
-    output->refreshContactPoints();
+  if (!HasManifold(*body_0, *body_1)) return Count(Fallback::kNoMemory, *body_0, *body_1);
+  manifold_.ShowTo(output);
+  narrowphase_.FallBack(*m_dispatcher, body_0, body_1, info, output);
+  if (manifold_.IsOwn()) {
+    output.refreshContactPoints();
     DropPointsNotFinite(*manifold_);
   }
+}
+
+void ConvexConvexAlgorithm::Count(Fallback fallback, const btCollisionObjectWrapper& body_0,
+                                  const btCollisionObjectWrapper& body_1) {
+  narrowphase_.CountFallback(*body_0.getCollisionShape(), *body_1.getCollisionShape(), fallback);
 }
 
 void ConvexConvexAlgorithm::PrefetchNext(const btCollisionObjectWrapper& body_0,
                                          const btCollisionObjectWrapper& body_1) {
   VisitingOrder::Visited now{.pair = this, .bodies = {body_0.getCollisionObject(), body_1.getCollisionObject()}};
   if (is_resting_) now.resting = resting_.get();
-  if (had_contact_) now.contacts = manifold_;
-  if (manifold_ != nullptr) now.manifold_state = &manifold_->m_companionIdA;
+  if (had_contact_) now.contacts = &*manifold_;
+  if (manifold_) now.manifold_state = &manifold_->m_companionIdA;
   const VisitingOrder::Visited next = VisitingOrder::OfThisThread().Visit(now, place_);
   if (next.pair == nullptr) return;
   PrefetchToWrite(next.pair, sizeof(ConvexConvexAlgorithm));
@@ -143,13 +161,19 @@ void ConvexConvexAlgorithm::PrefetchNext(const btCollisionObjectWrapper& body_0,
   for (const void* body : next.bodies) PrefetchToRead(body, sizeof(btCollisionObject));
 }
 
-bool ConvexConvexAlgorithm::HasManifold(const btCollisionObjectWrapper* body_0,
-                                        const btCollisionObjectWrapper* body_1) {
-  if (manifold_ == nullptr) {
-    manifold_ = m_dispatcher->getNewManifold(body_0->getCollisionObject(), body_1->getCollisionObject());
-    owns_manifold_ = manifold_ != nullptr;
-  }
-  return manifold_ != nullptr;
+bool ConvexConvexAlgorithm::HasManifold(const btCollisionObjectWrapper& body_0,
+                                        const btCollisionObjectWrapper& body_1) {
+  return manifold_.Provide(*m_dispatcher, *body_0.getCollisionObject(), *body_1.getCollisionObject());
+}
+
+bool ConvexConvexAlgorithm::CanDoWithoutManifold(const btCollisionObjectWrapper& body_0,
+                                                 const btCollisionObjectWrapper& body_1,
+                                                 const btManifoldResult& output) const {
+  // Bullet wakes whoever shares a manifold with a kinematic body, empty or not; an app's own result may look into it.
+  const Options& options = narrowphase_.options();
+  return !options.keep_empty_manifolds && options.warm_start && manifold_.IsOwn() &&
+         !body_0.getCollisionObject()->isKinematicObject() && !body_1.getCollisionObject()->isKinematicObject() &&
+         !IsAskedByApp(output);
 }
 
 struct ConvexConvexAlgorithm::Query {
@@ -197,8 +221,8 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObj
   if (MeetsEarly(object_a, object_b)) {
     query.motion = {BodyReach(object_a), BodyReach(object_b), double(info.m_timeStep)};
   }
-  query.breaking_threshold = double(manifold_->getContactBreakingThreshold());
-  query.contact_distance = ContactDistance(options, output);
+  query.breaking_threshold = manifold_.BreakingThreshold();
+  query.contact_distance = ContactDistance(options, query.breaking_threshold, output);
   query.is_asked = IsAskedByApp(output);
   query.wants_least = options.normal_mode == NormalMode::kLeastTranslation;
   query.settings.relative_tolerance =
@@ -217,6 +241,11 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObj
   }
   if (is_swapped) Swap(patch, result);
   if (WantsContacts(info.m_debugDraw)) DrawContacts(patch, result, *info.m_debugDraw);
+  if (had_contact_ && !manifold_) {
+    had_contact_ = is_swapped ? HasManifold(*body_1, *body_0) : HasManifold(*body_0, *body_1);
+    if (!had_contact_) return Fallback::kNoMemory;
+    manifold_.ShowTo(output);
+  }
   WriteContacts(patch, result.normal, output);
   // Bodies that do not touch may be given a speed that makes them.
   if (had_contact_) RememberRest(*body_0, *body_1, query.motion);
@@ -314,11 +343,11 @@ bool ConvexConvexAlgorithm::StaysApart(const btCollisionObjectWrapper& body_0, c
   const btVector3 normal = a.getWorldTransform().getBasis() * InBulletAxes(warm_start_.normal_1, UpAxis(ShapeOf(&a)));
   const double separation = SeparationAlong({a, reach_a}, {b, reach_b}, normal);
   // What memory is slow to bring comes last.
-  if (!(separation > ContactDistance(options, output))) return false;
+  if (!(separation > ContactDistance(options, manifold_.BreakingThreshold(), output))) return false;
   const PairMotion motion =
       MeetsEarly(reach_a.object, reach_b.object) ? PairMotion(reach_a, reach_b, double(info.m_timeStep)) : PairMotion();
   if (motion.MayApproachBy(separation, FromBullet(normal))) return false;
-  if (owns_manifold_ && manifold_->getNumContacts() > 0) return false;  // Of an answer that was not ours.
+  if (manifold_.IsOwn() && !manifold_.IsEmpty()) return false;  // Of an answer that was not ours.
   if (PairCounters* counters = narrowphase_.pair_counters()) {
     counters->Count(ShapeOf(&a).getShapeType(), ShapeOf(&b).getShapeType(),
                     {.way = PairOutcome::Way::kSeparated, .iterations = 1});
@@ -332,8 +361,8 @@ void ConvexConvexAlgorithm::RememberRest(const btCollisionObjectWrapper& body_a,
                                          const PairMotion& motion) {
   const Options& options = narrowphase_.options();
   // Where the options say that contacts come from this step's poses alone, none are kept from an earlier one.
-  if (!options.keep_resting_contacts || !owns_manifold_ || !options.contact_patch || !options.warm_start) return;
-  const auto breaking_threshold = double(manifold_->getContactBreakingThreshold());
+  if (!options.keep_resting_contacts || !manifold_.IsOwn() || !options.contact_patch || !options.warm_start) return;
+  const double breaking_threshold = manifold_.BreakingThreshold();
   const Footing footing = FootingOfContacts(body_a, body_b);
   if (!motion.IsWithin(RestingDistance(breaking_threshold)) && !Lasts(footing, motion, *manifold_)) return;
   if (!RestingPair::CanTell(body_a, body_b, breaking_threshold, footing)) return;
@@ -361,17 +390,18 @@ void ConvexConvexAlgorithm::Recall(bool is_other_order, const Pose& pose_a, cons
 bool ConvexConvexAlgorithm::MeetsEarly(const btCollisionObject& object_0, const btCollisionObject& object_1) const {
   // A shared manifold is refreshed by whoever shares it, and loses far points there. A contact that is met early takes
   // its part of the step from the speed of the rebound.
-  return speculative_ && owns_manifold_ && !(btManifoldResult::calculateCombinedRestitution(&object_0, &object_1) > 0);
+  return speculative_ && manifold_.IsOwn() &&
+         !(btManifoldResult::calculateCombinedRestitution(&object_0, &object_1) > 0);
 }
 
 void ConvexConvexAlgorithm::WriteContacts(const dgd::ContactPatch<double>& patch, const Vector3& normal,
                                           btManifoldResult& output) {
-  if (!owns_manifold_) {
-    const double equal_depth = kEqualDepth * double(manifold_->getContactBreakingThreshold());
+  if (!manifold_.IsOwn()) {
+    const double equal_depth = kEqualDepth * manifold_.BreakingThreshold();
     AddToShared(patch, normal, equal_depth, output);
     return;
   }
-  if (patch.size == 0 && manifold_->getNumContacts() == 0) return;  // As most pairs of a broadphase, step after step.
+  if (patch.size == 0 && manifold_.IsEmpty()) return;  // As most pairs of a broadphase, step after step.
   const Options& options = narrowphase_.options();
   UpdateManifold(patch, normal, {.drop_stale = options.contact_patch, .hold_stuck = options.friction_anchors}, output);
 }
@@ -397,7 +427,7 @@ btScalar ConvexConvexAlgorithm::calculateTimeOfImpact(btCollisionObject* body_0,
 }
 
 void ConvexConvexAlgorithm::getAllContactManifolds(btManifoldArray& manifolds) {
-  if (owns_manifold_) manifolds.push_back(manifold_);
+  if (manifold_.IsOwn() && manifold_) manifolds.push_back(&*manifold_);
 }
 
 }  // namespace dgd_bullet

@@ -17,6 +17,7 @@
 #include "dgd/held_face.h"
 #include "hull_cache.h"
 #include "narrowphase.h"
+#include "pair_manifold.h"
 #include "pair_motion.h"
 #include "shape_adapter.h"
 #include "visiting_order.h"
@@ -47,8 +48,18 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   void getAllContactManifolds(btManifoldArray& manifolds) override;
 
  private:
-  /// Makes the manifold if there is none yet. False if the dispatcher has none left.
-  bool HasManifold(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1);
+  /// Whether there is a manifold, or now is.
+  bool HasManifold(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1);
+
+  /// Whether a pair that is not new can be without a manifold in this call, as long as it has no contacts.
+  bool CanDoWithoutManifold(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
+                            const btManifoldResult& output) const;
+
+  /// The manifold's contacts of this step, in whichever way.
+  void Answer(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1,
+              const btDispatcherInfo& info, btManifoldResult& output);
+
+  void Count(Fallback fallback, const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1);
 
   /// Has memory bring the algorithm that Bullet will most likely call next, and what that will read. In a world of
   /// thousands of pairs it is nowhere near, and to wait for it takes as long as to tell that a pair is apart.
@@ -96,9 +107,8 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
 
   // What a pair that rests or stays apart needs comes first, up to the last normal: two lines of the cache.
   Narrowphase& narrowphase_;
-  btPersistentManifold* manifold_;
-  bool is_resting_ = false;  // That is what the manifold's contacts have been found for.
-  bool owns_manifold_ = false;
+  [[no_unique_address]] PairManifold manifold_;           // What follows takes its padding.
+  bool is_resting_ = false;                               // That is what the manifold's contacts have been found for.
   bool may_be_apart_ = true;                              // The cores, by all that is known: FollowDistance() is tried.
   bool had_contact_ = false;                              // In the last step.
   bool was_swapped_ = false;                              // The order of the hulls below is not Bullet's.

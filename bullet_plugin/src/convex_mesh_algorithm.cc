@@ -151,7 +151,8 @@ void ConvexMeshAlgorithm::processCollision(const btCollisionObjectWrapper* body_
   }
   output->setPersistentManifold(manifold_);
   manifold_->setBodies(convex.getCollisionObject(), mesh.getCollisionObject());
-  TriangleVisit(convex, mesh, info, ContactDistance(options_, *output), *m_dispatcher, *pairs_, *output).VisitAll();
+  const double contact_distance = ContactDistance(options_, double(manifold_->getContactBreakingThreshold()), *output);
+  TriangleVisit(convex, mesh, info, contact_distance, *m_dispatcher, *pairs_, *output).VisitAll();
   pairs_->EndStep();
   output->refreshContactPoints();
 }

@@ -27,11 +27,18 @@ constexpr dgd_bullet::Options kSharp = [] {
   return options;
 }();
 
+constexpr dgd_bullet::Options kLean = [] {
+  dgd_bullet::Options options;
+  options.keep_empty_manifolds = false;
+  return options;
+}();
+
 constexpr std::array kVariants = {
     Variant{Narrowphase::kBuiltin, "builtin", std::nullopt},
     Variant{Narrowphase::kDgd, "dgd", dgd_bullet::Options{}},
     Variant{Narrowphase::kDgdGrowth, "dgd_growth", kWithGrowthNormals},
     Variant{Narrowphase::kDgdSharp, "dgd_sharp", kSharp},
+    Variant{Narrowphase::kDgdLean, "dgd_lean", kLean},
 };
 
 const Variant& VariantOf(Narrowphase narrowphase) {

@@ -17,6 +17,7 @@ enum class Narrowphase {
   kDgd,        ///< The plugin with its default options.
   kDgdGrowth,  ///< ... with the growth distance's own normals.
   kDgdSharp,   ///< ... without margins.
+  kDgdLean,    ///< ... with manifolds for pairs that touch only.
 };
 
 /// All of them, in the order in which they are listed and compared.

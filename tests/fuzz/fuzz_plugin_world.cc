@@ -41,7 +41,9 @@ dgd_bullet::Options ReadOptions(FuzzInput& input) {
   options.speculative_contacts = input.Below(4) != 0;
   options.friction_anchors = input.Below(4) != 0;
   options.keep_resting_contacts = input.Below(4) != 0;
-  options.warm_start = input.Below(4) != 0;
+  const int history = input.Below(4);
+  options.warm_start = history != 0;
+  options.keep_empty_manifolds = history != 1;
   options.count_pairs = input.Flip();
   options.max_iterations = input.Flip() ? 100 : 1 + input.Below(20);
   options.contact_distance = input.Below(4) == 0 ? std::abs(input.ModerateNumber()) : 0;

@@ -1,0 +1,49 @@
+// The contact manifold of a pair: its own, or one that it shares with the other triangles of a mesh.
+//
+// Without contacts a pair can be without a manifold of its own (Options::keep_empty_manifolds): Bullet looks at each of
+// a heap's many empty ones to build islands, to sort them, and to make constraints, of which there are none.
+#pragma once
+
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+
+class btCollisionObject;
+class btDispatcher;
+class btManifoldResult;
+
+namespace dgd_bullet {
+
+class PairManifold {
+ public:
+  /// @param shared  Or null for one of the pair's own, which there is none of yet. Must outlive the pair.
+  explicit PairManifold(btPersistentManifold* shared) : manifold_(shared), is_own_(shared == nullptr) {}
+
+  bool IsOwn() const { return is_own_; }
+  explicit operator bool() const { return manifold_ != nullptr; }
+  btPersistentManifold& operator*() const { return *manifold_; }
+  btPersistentManifold* operator->() const { return manifold_; }
+
+  /// Whether there has never been one.
+  bool IsNew() const { return manifold_ == nullptr && breaking_threshold_ < 0; }
+  /// Whether there are no contacts, be it for want of a manifold.
+  bool IsEmpty() const { return manifold_ == nullptr || manifold_->getNumContacts() == 0; }
+  /// Of the manifold, now or when it was given back; metres.
+  double BreakingThreshold() const {
+    return double(manifold_ != nullptr ? manifold_->getContactBreakingThreshold() : breaking_threshold_);
+  }
+
+  /// Makes one if there is none. False if the dispatcher has none left.
+  bool Provide(btDispatcher& dispatcher, const btCollisionObject& body_0, const btCollisionObject& body_1);
+  /// Only one of the pair's own.
+  void GiveBack(btDispatcher& dispatcher);
+
+  /// Makes it the output's; an empty one that is the thread's until the next call where there is none. Bullet's own
+  /// results always have one, and apps look into it without asking.
+  void ShowTo(btManifoldResult& output) const;
+
+ private:
+  btPersistentManifold* manifold_;
+  btScalar breaking_threshold_ = -1;  // Of the one that was given back; < 0 if none was.
+  bool is_own_;
+};
+
+}  // namespace dgd_bullet
