@@ -1,4 +1,4 @@
-// The scan on what every x86-64 has, and the choice of the best one.
+// The loops on what every x86-64 has, and the choice of the best ones.
 #include <emmintrin.h>
 
 #include <algorithm>
@@ -73,17 +73,38 @@ std::uint32_t FarthestOf(const S* x, std::size_t padded, S direction_x, S direct
   return static_cast<std::uint32_t>(farthest);
 }
 
-/// The kernel in use, chosen by the first call: a query before main() finds a valid one, too.
+template <class S>
+void PlaceAll(const S* x, std::size_t padded, const S* center, const S* matrix, S* placed) {
+  constexpr std::size_t kLanes = 16 / sizeof(S);
+  const auto load = [](const S* array) { return Lanes<S>(*reinterpret_cast<const LoadLanes<S>*>(array)); };
+  for (std::size_t i = 0; i < padded; i += kLanes) {
+    const Lanes<S> from_x = load(x + i) - center[0], from_y = load(x + padded + i) - center[1],
+                   from_z = load(x + 2 * padded + i) - center[2];
+    for (std::size_t row = 0; row < 3; ++row) {
+      const Lanes<S> sum = matrix[row] * from_x + matrix[3 + row] * from_y + matrix[6 + row] * from_z;
+      *reinterpret_cast<LoadLanes<S>*>(placed + row * padded + i) = sum;
+    }
+  }
+}
+
+/// The kernels in use, chosen by the first call: a query before main() finds valid ones, too.
 template <class S>
 struct Best {
-  static std::uint32_t Choose(const S* coordinates, std::size_t padded, S x, S y, S z) {
+  static std::uint32_t ChooseKernel(const S* coordinates, std::size_t padded, S x, S y, S z) {
     const Kernel<S> avx2 = FarthestAvx2, sse2 = FarthestSse2;
     const Kernel<S> best = HasAvx2() ? avx2 : sse2;
     kernel.store(best, std::memory_order_relaxed);
     return best(coordinates, padded, x, y, z);
   }
+  static void ChoosePlaceKernel(const S* coordinates, std::size_t padded, const S* center, const S* matrix, S* placed) {
+    const PlaceKernel<S> avx2 = PlaceAvx2, sse2 = PlaceSse2;
+    const PlaceKernel<S> best = HasAvx2() ? avx2 : sse2;
+    place_kernel.store(best, std::memory_order_relaxed);
+    best(coordinates, padded, center, matrix, placed);
+  }
 
-  static constinit inline std::atomic<Kernel<S>> kernel = &Choose;
+  static constinit inline std::atomic<Kernel<S>> kernel = &ChooseKernel;
+  static constinit inline std::atomic<PlaceKernel<S>> place_kernel = &ChoosePlaceKernel;
 };
 
 }  // namespace
@@ -96,6 +117,15 @@ std::uint32_t FarthestSse2(const float* coordinates, std::size_t padded, float x
   return FarthestOf(coordinates, padded, x, y, z);
 }
 
+void PlaceSse2(const double* coordinates, std::size_t padded, const double* center, const double* matrix,
+               double* placed) {
+  PlaceAll(coordinates, padded, center, matrix, placed);
+}
+
+void PlaceSse2(const float* coordinates, std::size_t padded, const float* center, const float* matrix, float* placed) {
+  PlaceAll(coordinates, padded, center, matrix, placed);
+}
+
 bool HasAvx2() { return __builtin_cpu_supports("avx2") != 0; }
 
 std::uint32_t Farthest(const double* coordinates, std::size_t padded, double x, double y, double z) {
@@ -104,6 +134,14 @@ std::uint32_t Farthest(const double* coordinates, std::size_t padded, double x, 
 
 std::uint32_t Farthest(const float* coordinates, std::size_t padded, float x, float y, float z) {
   return Best<float>::kernel.load(std::memory_order_relaxed)(coordinates, padded, x, y, z);
+}
+
+void Place(const double* coordinates, std::size_t padded, const double* center, const double* matrix, double* placed) {
+  Best<double>::place_kernel.load(std::memory_order_relaxed)(coordinates, padded, center, matrix, placed);
+}
+
+void Place(const float* coordinates, std::size_t padded, const float* center, const float* matrix, float* placed) {
+  Best<float>::place_kernel.load(std::memory_order_relaxed)(coordinates, padded, center, matrix, placed);
 }
 
 }  // namespace dgd::vertex_scan

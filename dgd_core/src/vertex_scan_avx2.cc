@@ -17,6 +17,7 @@ struct Doubles {
   static Vector Broadcast(double a) { return _mm256_set1_pd(a); }
   static Vector CountUp() { return _mm256_setr_pd(0, 1, 2, 3); }
   static Vector Add(Vector a, Vector b) { return _mm256_add_pd(a, b); }
+  static Vector Subtract(Vector a, Vector b) { return _mm256_sub_pd(a, b); }
   static Vector Multiply(Vector a, Vector b) { return _mm256_mul_pd(a, b); }
   // The second one if either is no number.
   static Vector Greater(Vector a, Vector b) { return _mm256_max_pd(a, b); }
@@ -46,6 +47,7 @@ struct Floats {
   static Vector Broadcast(float a) { return _mm256_set1_ps(a); }
   static Vector CountUp() { return _mm256_setr_ps(0, 1, 2, 3, 4, 5, 6, 7); }
   static Vector Add(Vector a, Vector b) { return _mm256_add_ps(a, b); }
+  static Vector Subtract(Vector a, Vector b) { return _mm256_sub_ps(a, b); }
   static Vector Multiply(Vector a, Vector b) { return _mm256_mul_ps(a, b); }
   static Vector Greater(Vector a, Vector b) { return _mm256_max_ps(a, b); }
   static Vector IsAbove(Vector a, Vector b) { return _mm256_cmp_ps(a, b, _CMP_GT_OQ); }
@@ -98,7 +100,35 @@ std::uint32_t FarthestOf(const typename V::Scalar* coordinates, std::size_t padd
   return static_cast<std::uint32_t>(first);
 }
 
+template <class V>
+void PlaceAll(const typename V::Scalar* coordinates, std::size_t padded, const typename V::Scalar* center,
+              const typename V::Scalar* matrix, typename V::Scalar* placed) {
+  using Vector = typename V::Vector;
+  const Vector center_x = V::Broadcast(center[0]), center_y = V::Broadcast(center[1]),
+               center_z = V::Broadcast(center[2]);
+  Vector m[9];
+  for (int i = 0; i < 9; ++i) m[i] = V::Broadcast(matrix[i]);
+  for (std::size_t i = 0; i < padded; i += V::kLanes) {
+    const Vector x = V::Subtract(V::Load(coordinates + i), center_x);
+    const Vector y = V::Subtract(V::Load(coordinates + padded + i), center_y);
+    const Vector z = V::Subtract(V::Load(coordinates + 2 * padded + i), center_z);
+    for (int row = 0; row < 3; ++row) {
+      const Vector across = V::Add(V::Multiply(m[row], x), V::Multiply(m[3 + row], y));
+      V::Store(placed + static_cast<std::size_t>(row) * padded + i, V::Add(across, V::Multiply(m[6 + row], z)));
+    }
+  }
+}
+
 }  // namespace
+
+void PlaceAvx2(const double* coordinates, std::size_t padded, const double* center, const double* matrix,
+               double* placed) {
+  PlaceAll<Doubles>(coordinates, padded, center, matrix, placed);
+}
+
+void PlaceAvx2(const float* coordinates, std::size_t padded, const float* center, const float* matrix, float* placed) {
+  PlaceAll<Floats>(coordinates, padded, center, matrix, placed);
+}
 
 std::uint32_t FarthestAvx2(const double* coordinates, std::size_t padded, double x, double y, double z) {
   return FarthestOf<Doubles>(coordinates, padded, x, y, z);

@@ -135,6 +135,13 @@ concept LinkedCore = VertexCore<Core> && requires(const Core& core, VertexId ver
   { core.IsLinked() } -> std::convertible_to<bool>;
 };
 
+/// A core of few vertices, whose support function looks at all of them.
+///  * Scan(): the vertices (shapes/vertex_scan.h), in the core's frame; null if they are too many for that.
+template <class Core>
+concept ScannedCore = VertexCore<Core> && requires(const Core& core) {
+  {*core.Scan()};
+};
+
 /// A core that knows about how far it reaches in which direction: a cold query of a curved set begins with a normal
 /// that is guessed from this.
 ///  * Spread(): a symmetric, positive semidefinite matrix M, full or diagonal; core's frame, metres squared. About
@@ -227,6 +234,7 @@ class CoreReference {
     return core_->SteepestAscent(vertex, up, outwards);
   }
   bool IsLinked() const requires LinkedCore<CoreType> { return core_->IsLinked(); }
+  auto Scan() const requires ScannedCore<CoreType> { return core_->Scan(); }
   decltype(auto) Spread() const requires SpreadCore<CoreType> { return core_->Spread(); }
   Scalar SupportValue(const VectorOf<CoreType>& direction) const { return core_->SupportValue(direction); }
   Scalar Distance(const VectorOf<CoreType>& point) const { return core_->Distance(point); }

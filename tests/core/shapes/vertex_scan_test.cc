@@ -71,5 +71,63 @@ void CompareKernels() {
 TEST(VertexScan, Farthest_AllKernelsFindTheSamePointInDouble) { CompareKernels<double>(); }
 TEST(VertexScan, Farthest_AllKernelsFindTheSamePointInFloat) { CompareKernels<float>(); }
 
+template <class S>
+dgd::Matrix3<S> RandomMatrix(Random& random) {
+  dgd::Matrix3<S> matrix;
+  for (int column = 0; column < 3; ++column) matrix.col(column) = random.InCube().cast<S>();
+  return matrix;
+}
+
+template <class S>
+void ComparePlacedWithPlainProducts() {
+  Random random(TestSeed());
+  for (int count = 1; count < 70; ++count) {
+    std::vector<Eigen::Vector3d> points;
+    for (int i = 0; i < count; ++i) points.push_back(random.InCube());
+    const dgd::PointArrays<S> arrays(points);
+    const dgd::Vector3<S> center = random.InCube().cast<S>();
+    const dgd::Matrix3<S> matrix = RandomMatrix<S>(random);
+    const std::size_t padded = arrays.PaddedSize();
+    ASSERT_GE(padded, arrays.size());
+    std::vector<S> placed(3 * padded);
+    arrays.PlaceInto(placed.data(), center, matrix);
+    for (std::size_t i = 0; i < arrays.size(); ++i) {
+      const dgd::Vector3<S> point(placed[i], placed[padded + i], placed[2 * padded + i]);
+      const dgd::Vector3<S> expected = matrix * (arrays[i] - center);
+      ASSERT_LT((point - expected).norm(), 16 * std::numeric_limits<S>::epsilon()) << i << " of " << count;
+    }
+    // The padding is placed as the first point is, and a scan finds none of it.
+    for (std::size_t i = arrays.size(); i < padded; ++i) ASSERT_EQ(placed[i], placed[0]);
+    const dgd::Vector3<S> direction = random.UnitVector().cast<S>();
+    ASSERT_LT(dgd::PointArrays<S>::Farthest(placed.data(), padded, direction), static_cast<dgd::VertexId>(count));
+  }
+}
+
+TEST(PointArrays, PlaceInto_MatchesPlainProductsForEveryCount) {
+  ComparePlacedWithPlainProducts<double>();
+  ComparePlacedWithPlainProducts<float>();
+}
+
+template <class S>
+void ComparePlaceKernels() {
+  if (!dgd::vertex_scan::HasAvx2()) GTEST_SKIP() << "this processor has no AVX2: there is nothing to compare";
+  constexpr std::size_t kBlock = dgd::vertex_scan::kBlockBytes / sizeof(S);
+  Random random(TestSeed());
+  for (std::size_t padded = kBlock; padded <= 12 * kBlock; padded += kBlock) {
+    for (int trial = 0; trial < 100; ++trial) {
+      std::vector<S> coordinates(3 * padded), by_sse2(3 * padded), by_avx2(3 * padded);
+      for (S& coordinate : coordinates) coordinate = static_cast<S>(random.Uniform(-1, 1));
+      const dgd::Vector3<S> center = random.InCube().cast<S>();
+      const dgd::Matrix3<S> matrix = RandomMatrix<S>(random);
+      dgd::vertex_scan::PlaceSse2(coordinates.data(), padded, center.data(), matrix.data(), by_sse2.data());
+      dgd::vertex_scan::PlaceAvx2(coordinates.data(), padded, center.data(), matrix.data(), by_avx2.data());
+      ASSERT_EQ(by_sse2, by_avx2) << padded << " points";
+    }
+  }
+}
+
+TEST(VertexScan, Place_AllKernelsGiveTheSameBitsInDouble) { ComparePlaceKernels<double>(); }
+TEST(VertexScan, Place_AllKernelsGiveTheSameBitsInFloat) { ComparePlaceKernels<float>(); }
+
 }  // namespace
 }  // namespace dgd_test

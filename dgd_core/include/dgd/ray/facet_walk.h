@@ -22,11 +22,13 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
 #include "dgd/query_types.h"
 #include "dgd/ray/ball_hull.h"
 #include "dgd/ray/feature_exit.h"
 #include "dgd/ray/minkowski_difference.h"
+#include "dgd/ray/placed_vertices.h"
 #include "dgd/ray/ray_triangle.h"
 #include "dgd/ray/tolerances.h"
 
@@ -117,6 +119,8 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
   using Triangle::Replace;
   using Triangle::weights_;
 
+  static constexpr bool kIsScanned = ScannedCore<typename Set1::Core> && ScannedCore<typename Set2::Core>;
+
   /// Where a walk may end before the ray leaves the difference.
   enum class Early {
     kNever,
@@ -158,12 +162,14 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
     const Point axis = ray_ / length;
     const bool is_quick = IsQuickAnew();
     // Most sets that may be apart by more than is asked for are known to be after one direction.
+    if (kEarly == Early::kNever) PlaceVertices();
     const Corner first = FirstCorner(axis, is_quick && kEarly != Early::kApart);
     if (kEarly == Early::kApart) {
       const S apart = length - axis.dot(first.point) - radius_;
       normal_ = axis;
       if (apart > settings.separation_limit) return EndApart(first, apart);
     }
+    if (kEarly != Early::kNever) PlaceVertices();
     PutCornersInBall(inradius, axis);
     constexpr bool kIsCheck = kEarly == Early::kDecided;
     const bool has_begun =
@@ -172,6 +178,13 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
     if (!has_begun) return End::kNone;
     normal_ = NormalOfCorners();
     return WalkOn<kEarly>(settings, kMostAnew);
+  }
+
+  void PlaceVertices() {
+    if constexpr (kIsScanned) {
+      placed_.Place(set_1_.core.Scan(), set_1_.core.Center(), pose_1_.rotation, set_2_.core.Scan(),
+                    set_2_.core.Center(), pose_2_.rotation);
+    }
   }
 
   Point FromCenter1(FeatureId feature) const {
@@ -203,6 +216,18 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
 
   Corner CornerAlong(const Point& direction) {
     ++iterations_;
+    if constexpr (kIsScanned) {
+      if (placed_.AreThere()) return placed_.template Farthest<Corner>(direction);
+      return CornerOfSupportsApart(direction);
+    } else {
+      return CornerOfSupports(direction);
+    }
+  }
+  /// Not inlined: with its registers, a walk among placed vertices takes 1.07 times as long.
+  [[gnu::noinline, gnu::flatten]] Corner CornerOfSupportsApart(const Point& direction) const {
+    return CornerOfSupports(direction);
+  }
+  Corner CornerOfSupports(const Point& direction) const {
     return CornerOf(SupportNear(set_1_.core, Point(pose_1_.rotation.transpose() * direction), hint_1_),
                     SupportNear(set_2_.core, Point(pose_2_.rotation.transpose() * -direction), hint_2_));
   }
@@ -557,6 +582,7 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
   const Pose<S>& pose_1_;
   const Set2& set_2_;
   const Pose<S>& pose_2_;
+  std::conditional_t<kIsScanned, ray_internal::PlacedVertices<S>, std::nullptr_t> placed_;  // In a walk anew.
   std::optional<Corner> first_;  // If known, the farthest along the ray.
   std::optional<Point> common_;  // Of the two sets, from set 1's origin; world.
   bool wants_corners_ = true;    // For a next query to begin from: a common point would leave none.

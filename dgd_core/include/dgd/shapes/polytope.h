@@ -47,6 +47,8 @@ class Polytope {
     return {Vertex(vertex), vertex};
   }
   bool IsGuessing() const { return !climb_.IsEmpty(); }
+  /// See ScannedCore.
+  const PointArrays<S>* Scan() const { return climb_.IsEmpty() ? &scan_ : nullptr; }
   /// See LinkedCore. @pre IsLinked().
   Ascent<S> SteepestAscent(VertexId vertex, const Vector3<S>& up, const Vector3<S>& outwards) const {
     return climb_.SteepestAscent(vertex, up, outwards);

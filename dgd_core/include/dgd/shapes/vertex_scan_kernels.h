@@ -1,5 +1,6 @@
-// Internal: the loop of vertex_scan.h for each instruction set. Compiled apart, and from nothing that other translation
-// units instantiate too: a template or inline function compiled for AVX2 must not end up where the processor has none.
+// Internal: the loops of vertex_scan.h for each instruction set. Compiled apart, and from nothing that other
+// translation units instantiate too: a template or inline function compiled for AVX2 must not end up where the
+// processor has none.
 #pragma once
 
 #include <cstddef>
@@ -24,11 +25,29 @@ std::uint32_t FarthestSse2(const float* coordinates, std::size_t padded, float x
 std::uint32_t FarthestAvx2(const double* coordinates, std::size_t padded, double x, double y, double z);
 std::uint32_t FarthestAvx2(const float* coordinates, std::size_t padded, float x, float y, float z);
 
+/// Moves points: `matrix`, 3 x 3 by columns, times what each is from `center`; each operation rounded, the columns'
+/// products summed in their order. All kernels give the same bits.
+/// @param coordinates, padded  As above.
+/// @param placed               Out: as the coordinates.
+template <class S>
+using PlaceKernel = void (*)(const S* coordinates, std::size_t padded, const S* center, const S* matrix, S* placed);
+
+void PlaceSse2(const double* coordinates, std::size_t padded, const double* center, const double* matrix,
+               double* placed);
+void PlaceSse2(const float* coordinates, std::size_t padded, const float* center, const float* matrix, float* placed);
+
+/// For processors with HasAvx2().
+void PlaceAvx2(const double* coordinates, std::size_t padded, const double* center, const double* matrix,
+               double* placed);
+void PlaceAvx2(const float* coordinates, std::size_t padded, const float* center, const float* matrix, float* placed);
+
 /// Whether this processor, and the system on it, can run AVX2.
 bool HasAvx2();
 
-/// The best kernel for this processor.
+/// The best kernels for this processor.
 std::uint32_t Farthest(const double* coordinates, std::size_t padded, double x, double y, double z);
 std::uint32_t Farthest(const float* coordinates, std::size_t padded, float x, float y, float z);
+void Place(const double* coordinates, std::size_t padded, const double* center, const double* matrix, double* placed);
+void Place(const float* coordinates, std::size_t padded, const float* center, const float* matrix, float* placed);
 
 }  // namespace dgd::vertex_scan
