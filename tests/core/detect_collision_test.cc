@@ -75,14 +75,27 @@ TEST(DetectCollision, AgreesWithGrowthDistanceAndProvesIt_InFloat) {
   CompareWithGrowthDistance<float>(TestCount(10000));
 }
 
+ReferencePair AnyTwo(Random& random) {
+  const CoreType type_1 = kCoreTypes[static_cast<std::size_t>(random.Below(7))];
+  const CoreType type_2 = kCoreTypes[static_cast<std::size_t>(random.Below(7))];
+  return RandomPair(random, type_1, random.Flip(), type_2, random.Flip());
+}
+
+/// A small hull beside the round of a large radius: the walk's triangles, moved by it, may be turned away from the ray.
+ReferencePair SmallBesideRound(Random& random) {
+  ReferencePair reference;
+  reference.set_1 = RandomHull(random, 8 + random.Below(13), 0.5, random.Uniform(0.3, 1));
+  reference.set_2 = RandomHull(random, 2 + random.Below(9), 0.05, 0);
+  PlaceRandomly(random, reference);
+  return reference;
+}
+
 // Scaled to touch but for a few roundings: any of the three answers, but each with its proof.
-template <class S>
-void CheckTouching(int pairs) {
+template <class S, class MakePair>
+void CheckTouching(int pairs, const MakePair& make) {
   Random random(TestSeed());
   for (int i = 0; i < pairs; ++i) {
-    const CoreType type_1 = kCoreTypes[static_cast<std::size_t>(random.Below(7))];
-    const CoreType type_2 = kCoreTypes[static_cast<std::size_t>(random.Below(7))];
-    ReferencePair reference = RandomPair(random, type_1, random.Flip(), type_2, random.Flip());
+    ReferencePair reference = make(random);
     const SolverPair<double> apart(reference);
     const double growth_distance = apart.GrowthDistance({.relative_tolerance = 1e-13}).GrowthDistance();
     const double off = (random.Flip() ? 1 : -1) * random.LogUniform(1e-17, 1e-3);
@@ -111,8 +124,14 @@ void CheckTouching(int pairs) {
   }
 }
 
-TEST(DetectCollision, TouchingPairs_GetAProvenAnswerInDouble) { CheckTouching<double>(TestCount(20000)); }
-TEST(DetectCollision, TouchingPairs_GetAProvenAnswerInFloat) { CheckTouching<float>(TestCount(10000)); }
+TEST(DetectCollision, TouchingPairs_GetAProvenAnswerInDouble) { CheckTouching<double>(TestCount(20000), AnyTwo); }
+TEST(DetectCollision, TouchingPairs_GetAProvenAnswerInFloat) { CheckTouching<float>(TestCount(10000), AnyTwo); }
+TEST(DetectCollision, SmallHullThatTouchesARound_GetsAProvenAnswerInDouble) {
+  CheckTouching<double>(TestCount(20000), SmallBesideRound);
+}
+TEST(DetectCollision, SmallHullThatTouchesARound_GetsAProvenAnswerInFloat) {
+  CheckTouching<float>(TestCount(10000), SmallBesideRound);
+}
 
 // By the ball about the centre, and by one or two points; without it they take 3.5 iterations. Asked again, they go on
 // from the last corners, which such a point alone would not leave.

@@ -292,7 +292,7 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
       normal_ = NormalOfCorners();
       const S height = radius_ > 0 ? this->template Height<true>() : this->template Height<false>();
       if (!(height > 0)) return false;
-      if (kIsCheck && normal_.dot(ray_) <= height && LeavesByFacet()) return true;
+      if (kIsCheck && EndsBelow(normal_.dot(ray_), height)) return true;
       const Corner guess = GuessAlong(normal_);
       hint_1_ = guess.feature_1;
       hint_2_ = guess.feature_2;
@@ -372,7 +372,7 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
       [[maybe_unused]] S along = 0;
       if constexpr (kEarly != Early::kNever) {
         along = normal_.dot(ray_);
-        if (kEarly == Early::kDecided && along <= height && LeavesByFacet()) return End::kCommon;
+        if (kEarly == Early::kDecided && EndsBelow(along, height)) return End::kCommon;
       }
       const Corner farthest = CornerAlong(normal_);
       rise_ = normal_.dot(farthest.point - corners_[0].point);
@@ -389,6 +389,10 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
       normal_ = NormalOfCorners();
     }
   }
+
+  /// Whether the ray ends below the corners, moved by the radius, and between them. With a radius they may be turned
+  /// away from the ray, and their plane, moved, is no bound then.
+  bool EndsBelow(S along, S height) { return along > 0 && along <= height && LeavesByFacet(); }
 
   /// @param apart  Of the supporting planes along the normal, times its length.
   template <Early kEarly>
