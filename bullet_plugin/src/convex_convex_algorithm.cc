@@ -104,18 +104,19 @@ void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* bod
                                              btManifoldResult* output) {
   PrefetchNext(*body_0, *body_1);
   if (Recorder* recorder = narrowphase_.options().recorder) recorder->Add(*body_0, *body_1);
-  const bool is_new = manifold_.IsNew();
   const bool can_do_without = CanDoWithoutManifold(*body_0, *body_1, *output);
-  if ((is_new || !can_do_without) && !HasManifold(*body_0, *body_1)) {
+  // Not in the step that ends the contact: most likely such bodies touch again. Nor in the one that made the manifold,
+  // which btCollisionDispatcherMt has not listed yet.
+  const bool may_give_back = can_do_without && manifold_ && !had_contact_;
+  if ((manifold_.IsNew() || !can_do_without) && !HasManifold(*body_0, *body_1)) {
     return Count(Fallback::kNoMemory, *body_0, *body_1);
   }
   manifold_.ShowTo(*output);
-  // Not at once: most likely such bodies touch again.
-  const bool gives_back = can_do_without && !is_new && !had_contact_;
   Answer(body_0, body_1, info, *output);
-  if (!gives_back || had_contact_ || !manifold_ || !manifold_.IsEmpty()) return;
-  manifold_.GiveBack(*m_dispatcher);
-  manifold_.ShowTo(*output);
+  if (may_give_back && !had_contact_ && manifold_.IsEmpty()) {
+    manifold_.GiveBack(*m_dispatcher);
+    manifold_.ShowTo(*output);
+  }
 }
 
 void ConvexConvexAlgorithm::Answer(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1,
@@ -149,7 +150,7 @@ void ConvexConvexAlgorithm::PrefetchNext(const btCollisionObjectWrapper& body_0,
                                          const btCollisionObjectWrapper& body_1) {
   VisitingOrder::Visited now{.pair = this, .bodies = {body_0.getCollisionObject(), body_1.getCollisionObject()}};
   if (is_resting_) now.resting = resting_.get();
-  if (had_contact_) now.contacts = &*manifold_;
+  if (had_contact_) now.contacts = manifold_.Get();
   if (manifold_) now.manifold_state = &manifold_->m_companionIdA;
   const VisitingOrder::Visited next = VisitingOrder::OfThisThread().Visit(now, place_);
   if (next.pair == nullptr) return;
@@ -427,7 +428,7 @@ btScalar ConvexConvexAlgorithm::calculateTimeOfImpact(btCollisionObject* body_0,
 }
 
 void ConvexConvexAlgorithm::getAllContactManifolds(btManifoldArray& manifolds) {
-  if (manifold_.IsOwn() && manifold_) manifolds.push_back(&*manifold_);
+  if (manifold_.IsOwn() && manifold_) manifolds.push_back(manifold_.Get());
 }
 
 }  // namespace dgd_bullet

@@ -48,7 +48,7 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   void getAllContactManifolds(btManifoldArray& manifolds) override;
 
  private:
-  /// Whether there is a manifold, or now is.
+  /// Whether there is a manifold: makes one if there is none. False if the dispatcher has none left.
   bool HasManifold(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1);
 
   /// Whether a pair that is not new can be without a manifold in this call, as long as it has no contacts.

@@ -19,6 +19,7 @@ class PairManifold {
 
   bool IsOwn() const { return is_own_; }
   explicit operator bool() const { return manifold_ != nullptr; }
+  btPersistentManifold* Get() const { return manifold_; }
   btPersistentManifold& operator*() const { return *manifold_; }
   btPersistentManifold* operator->() const { return manifold_; }
 

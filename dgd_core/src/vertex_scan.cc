@@ -90,21 +90,21 @@ void PlaceAll(const S* x, std::size_t padded, const S* center, const S* matrix, 
 /// The kernels in use, chosen by the first call: a query before main() finds valid ones, too.
 template <class S>
 struct Best {
-  static std::uint32_t ChooseKernel(const S* coordinates, std::size_t padded, S x, S y, S z) {
-    const Kernel<S> avx2 = FarthestAvx2, sse2 = FarthestSse2;
-    const Kernel<S> best = HasAvx2() ? avx2 : sse2;
-    kernel.store(best, std::memory_order_relaxed);
+  static std::uint32_t ChooseFarthest(const S* coordinates, std::size_t padded, S x, S y, S z) {
+    const FarthestKernel<S> avx2 = FarthestAvx2, sse2 = FarthestSse2;
+    const FarthestKernel<S> best = HasAvx2() ? avx2 : sse2;
+    farthest.store(best, std::memory_order_relaxed);
     return best(coordinates, padded, x, y, z);
   }
-  static void ChoosePlaceKernel(const S* coordinates, std::size_t padded, const S* center, const S* matrix, S* placed) {
+  static void ChoosePlace(const S* coordinates, std::size_t padded, const S* center, const S* matrix, S* placed) {
     const PlaceKernel<S> avx2 = PlaceAvx2, sse2 = PlaceSse2;
     const PlaceKernel<S> best = HasAvx2() ? avx2 : sse2;
-    place_kernel.store(best, std::memory_order_relaxed);
+    place.store(best, std::memory_order_relaxed);
     best(coordinates, padded, center, matrix, placed);
   }
 
-  static constinit inline std::atomic<Kernel<S>> kernel = &ChooseKernel;
-  static constinit inline std::atomic<PlaceKernel<S>> place_kernel = &ChoosePlaceKernel;
+  static constinit inline std::atomic<FarthestKernel<S>> farthest = &ChooseFarthest;
+  static constinit inline std::atomic<PlaceKernel<S>> place = &ChoosePlace;
 };
 
 }  // namespace
@@ -129,19 +129,19 @@ void PlaceSse2(const float* coordinates, std::size_t padded, const float* center
 bool HasAvx2() { return __builtin_cpu_supports("avx2") != 0; }
 
 std::uint32_t Farthest(const double* coordinates, std::size_t padded, double x, double y, double z) {
-  return Best<double>::kernel.load(std::memory_order_relaxed)(coordinates, padded, x, y, z);
+  return Best<double>::farthest.load(std::memory_order_relaxed)(coordinates, padded, x, y, z);
 }
 
 std::uint32_t Farthest(const float* coordinates, std::size_t padded, float x, float y, float z) {
-  return Best<float>::kernel.load(std::memory_order_relaxed)(coordinates, padded, x, y, z);
+  return Best<float>::farthest.load(std::memory_order_relaxed)(coordinates, padded, x, y, z);
 }
 
 void Place(const double* coordinates, std::size_t padded, const double* center, const double* matrix, double* placed) {
-  Best<double>::place_kernel.load(std::memory_order_relaxed)(coordinates, padded, center, matrix, placed);
+  Best<double>::place.load(std::memory_order_relaxed)(coordinates, padded, center, matrix, placed);
 }
 
 void Place(const float* coordinates, std::size_t padded, const float* center, const float* matrix, float* placed) {
-  Best<float>::place_kernel.load(std::memory_order_relaxed)(coordinates, padded, center, matrix, placed);
+  Best<float>::place.load(std::memory_order_relaxed)(coordinates, padded, center, matrix, placed);
 }
 
 }  // namespace dgd::vertex_scan

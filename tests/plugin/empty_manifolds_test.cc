@@ -1,4 +1,5 @@
 // Pairs that do not touch and have no manifold: what an app or Bullet could see of it, and must not.
+#include <BulletCollision/CollisionShapes/btTriangleShape.h>
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -94,24 +95,25 @@ TEST(EmptyManifolds, WithoutWarmStart_AreKept) {
 
 // Contacts begin at the manifold's breaking threshold, also while there is no manifold: a relative one in small bodies.
 TEST(EmptyManifolds, GivenBack_ContactsBeginAtTheSameDistance) {
+  constexpr int kRelative = btCollisionDispatcher::CD_USE_RELATIVE_CONTACT_BREAKING_THRESHOLD;
   btBoxShape small(Vec(0.05, 0.05, 0.05));
+  const auto has_contacts = [&](bool keep, bool is_relative, double gap) {
+    dgd_bullet::CollisionConfiguration configuration(Keeping(keep));
+    btCollisionDispatcher dispatcher(&configuration);
+    const int flags = dispatcher.getDispatcherFlags();
+    dispatcher.setDispatcherFlags(is_relative ? flags | kRelative : flags & ~kRelative);
+    PairQuery query(dispatcher, small, small);
+    query.SetPoses(kFarPose, btTransform::getIdentity());
+    for (int step = 0; step < 2; ++step) query.Step();
+    query.SetPoses(MakeTransform(Eigen::Matrix3d::Identity(), {0, 0, 0.1 + gap}), btTransform::getIdentity());
+    return !query.Step().empty();
+  };
   for (const bool is_relative : {false, true}) {
-    for (const double gap : {0.0015, 0.0019, 0.019, 0.021}) {
-      std::vector<std::size_t> contacts;
-      for (const bool keep : {true, false}) {
-        dgd_bullet::CollisionConfiguration configuration(Keeping(keep));
-        btCollisionDispatcher dispatcher(&configuration);
-        constexpr int kRelative = btCollisionDispatcher::CD_USE_RELATIVE_CONTACT_BREAKING_THRESHOLD;
-        dispatcher.setDispatcherFlags(is_relative ? dispatcher.getDispatcherFlags() | kRelative
-                                                  : dispatcher.getDispatcherFlags() & ~kRelative);
-        PairQuery query(dispatcher, small, small);
-        for (const double z : {5.0, 5.0, 0.1 + gap}) {
-          query.SetPoses(MakeTransform(Eigen::Matrix3d::Identity(), {0, 0, z}), btTransform::getIdentity());
-          contacts.push_back(query.Step().size());
-        }
-      }
-      EXPECT_EQ(contacts[2], contacts[5]) << gap << (is_relative ? " relative" : "");
-      EXPECT_EQ(contacts[5] > 0, gap < (is_relative ? 0.00173 : 0.02)) << gap << (is_relative ? " relative" : "");
+    const btScalar threshold =
+        is_relative ? small.getContactBreakingThreshold(gContactBreakingThreshold) : gContactBreakingThreshold;
+    for (const bool keep : {true, false}) {
+      EXPECT_TRUE(has_contacts(keep, is_relative, 0.95 * double(threshold))) << keep << is_relative;
+      EXPECT_FALSE(has_contacts(keep, is_relative, 1.05 * double(threshold))) << keep << is_relative;
     }
   }
 }
@@ -174,15 +176,40 @@ TEST(EmptyManifolds, KinematicBody_WakesItsNeighboursAsWithBullet) {
   }
 }
 
+// Bullet's dispatcher with threads lists new manifolds after a step, and may release none that is not listed.
+TEST(EmptyManifolds, MadeForBulletsOwnAnswer_IsNotGivenBackInTheSameStep) {
+  dgd_bullet::Options options = Keeping(false);
+  options.on_first_fallback = nullptr;
+  dgd_bullet::CollisionConfiguration configuration(options);
+  btCollisionDispatcher dispatcher(&configuration);
+  // Both flat, and so left to GJK/EPA.
+  btTriangleShape triangle(Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 1, 0));
+  triangle.setMargin(0);
+  PairQuery query(dispatcher, triangle, triangle);
+  query.SetPoses(kFarPose, btTransform::getIdentity());
+  for (const int manifolds : {1, 0, 1, 0}) {
+    query.Step();
+    EXPECT_EQ(dispatcher.getNumManifolds(), manifolds);
+  }
+  EXPECT_EQ(configuration.statistics().fallbacks_no_interior, 4U);
+}
+
 // Two bodies that meet and part: whether they have a manifold meanwhile is nothing that they could tell.
 TEST(EmptyManifolds, GivenBack_BodiesMoveToTheSameBits) {
   const auto run = [](bool keep) {
     TestWorld world(Route::kConfiguration, Keeping(keep));
     auto& box = world.Make<btBoxShape>(Vec(0.5, 0.3, 0.2));
-    world.AddGround();
+    world.AddGround().setRestitution(1);
     btRigidBody& body = world.Add(box, 1, MakeTransform(Random(3).Rotation(), {0, 0, 1}));
     body.setRestitution(btScalar(0.5));
-    world.Simulate(3);
+    int steps_with = 0, steps_without = 0;
+    for (int step = 0; step < 720; ++step) {
+      world.Simulate(TestWorld::kTimeStep);
+      const bool are_near = world.world().getPairCache()->getNumOverlappingPairs() > 0;
+      (world.dispatcher().getNumManifolds() > 0 ? steps_with : steps_without) += are_near;
+    }
+    EXPECT_GT(steps_with, 10);
+    EXPECT_EQ(steps_without > 10, !keep);
     return body.getWorldTransform();
   };
   EXPECT_EQ(run(true), run(false));

@@ -135,11 +135,15 @@ concept LinkedCore = VertexCore<Core> && requires(const Core& core, VertexId ver
   { core.IsLinked() } -> std::convertible_to<bool>;
 };
 
+template <class S>
+class PointArrays;
+
 /// A core of few vertices, whose support function looks at all of them.
-///  * Scan(): the vertices (shapes/vertex_scan.h), in the core's frame; null if they are too many for that.
+///  * Scan(): the vertices in their order (shapes/vertex_scan.h), core's frame, metres; null if they are too many for
+///    that.
 template <class Core>
 concept ScannedCore = VertexCore<Core> && requires(const Core& core) {
-  {*core.Scan()};
+  { core.Scan() } -> std::same_as<const PointArrays<typename Core::Scalar>*>;
 };
 
 /// A core that knows about how far it reaches in which direction: a cold query of a curved set begins with a normal

@@ -83,7 +83,7 @@ TEST(PlacedVerticesOfFlatHull, MoreThanThereIsRoomFor_ThereAreNone) {
   for (int i = 0; i < 100; ++i) circle.emplace_back(std::cos(0.0628 * i), std::sin(0.0628 * i), 0);
   const dgd::Polytope<double> flat(circle);
   ASSERT_NE(flat.Scan(), nullptr);
-  ASSERT_GT(flat.Scan()->PaddedSize(), 64U);
+  ASSERT_GT(flat.Scan()->PaddedSize(), dgd::kMostScannedVertices);
   dgd::ray_internal::PlacedVertices<double> placed;
   const Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   placed.Place(flat.Scan(), flat.Center(), rotation, flat.Scan(), flat.Center(), rotation);

@@ -10,14 +10,19 @@
 namespace dgd_test {
 namespace {
 
+template <class S>
+dgd::PointArrays<S> RandomPoints(Random& random, int count) {
+  std::vector<Eigen::Vector3d> points;
+  for (int i = 0; i < count; ++i) points.push_back(random.InCube());
+  return dgd::PointArrays<S>(points);
+}
+
 /// All counts around the vector blocks, so that padding is met in every lane.
 template <class S>
 void CompareWithPlainLoop() {
   Random random(TestSeed());
   for (int count = 1; count < 70; ++count) {
-    std::vector<Eigen::Vector3d> points;
-    for (int i = 0; i < count; ++i) points.push_back(random.InCube());
-    const dgd::PointArrays<S> arrays(points);
+    const dgd::PointArrays<S> arrays = RandomPoints<S>(random, count);
     ASSERT_EQ(arrays.size(), static_cast<std::size_t>(count));
     for (int trial = 0; trial < 100; ++trial) {
       const dgd::Vector3<S> direction = random.UnitVector().cast<S>();
@@ -82,9 +87,7 @@ template <class S>
 void ComparePlacedWithPlainProducts() {
   Random random(TestSeed());
   for (int count = 1; count < 70; ++count) {
-    std::vector<Eigen::Vector3d> points;
-    for (int i = 0; i < count; ++i) points.push_back(random.InCube());
-    const dgd::PointArrays<S> arrays(points);
+    const dgd::PointArrays<S> arrays = RandomPoints<S>(random, count);
     const dgd::Vector3<S> center = random.InCube().cast<S>();
     const dgd::Matrix3<S> matrix = RandomMatrix<S>(random);
     const std::size_t padded = arrays.PaddedSize();

@@ -15,7 +15,8 @@
 //    both cores know their edges (LinkedCore).
 //  * Anew, in the ball about the centre that is inside the cores' difference (Alg. 1), and from three directions about
 //    the ray. Of two of them, and of the ball, a check may be told enough. Of large hulls, no support function is asked
-//    while points that are looked up (GuessingCore) are above the triangle.
+//    while points that are looked up (GuessingCore) are above the triangle; of small ones, all vertices are rotated
+//    first (placed_vertices.h).
 #pragma once
 
 #include <algorithm>
@@ -218,13 +219,13 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
     ++iterations_;
     if constexpr (kIsScanned) {
       if (placed_.AreThere()) return placed_.template Farthest<Corner>(direction);
-      return CornerOfSupportsApart(direction);
+      return CornerOfSupportsOutOfLine(direction);
     } else {
       return CornerOfSupports(direction);
     }
   }
   /// Not inlined: with its registers, a walk among placed vertices takes 1.07 times as long.
-  [[gnu::noinline, gnu::flatten]] Corner CornerOfSupportsApart(const Point& direction) const {
+  [[gnu::noinline, gnu::flatten]] Corner CornerOfSupportsOutOfLine(const Point& direction) const {
     return CornerOfSupports(direction);
   }
   Corner CornerOfSupports(const Point& direction) const {

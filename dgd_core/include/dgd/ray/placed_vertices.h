@@ -44,8 +44,9 @@ class PlacedVertices {
   }
 
  private:
-  /// Hulls that are scanned have no more, but for flat ones (kMostScannedVertices).
-  static constexpr std::size_t kCapacity = 64;
+  /// Whole blocks. Hulls that are scanned have no more, but for flat ones.
+  static constexpr std::size_t kCapacity = kMostScannedVertices;
+  static_assert(kCapacity % Points::kBlock == 0);
 
   std::size_t padded_1_ = 0, padded_2_ = 0;   // Of each coordinate.
   std::array<S, 3 * kCapacity> of_1_, of_2_;  // Of set 2 negated.

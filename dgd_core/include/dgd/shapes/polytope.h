@@ -14,10 +14,6 @@
 
 namespace dgd {
 
-/// Hulls of up to so many vertices are scanned, larger ones climbed. By measurement (tests/bench/parts, AVX2): 16
-/// vertices take 10 ns by the scan and 25 by the climb, 64 take 24 and 28, 256 take 82 and 30.
-inline constexpr VertexId kMostScannedVertices = 64;
-
 /// @tparam kMostScanned  Of the vertices; for tests and measurements.
 template <class S, VertexId kMostScanned = kMostScannedVertices>
 class Polytope {

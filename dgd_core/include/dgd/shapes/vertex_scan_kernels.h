@@ -16,7 +16,7 @@ inline constexpr std::size_t kBlockBytes = 64;
 /// @param coordinates  Three arrays one after the other, of `padded` scalars each; no alignment needed.
 /// @param padded       A multiple of kBlockBytes / sizeof(scalar), > 0; in float below 2^24, up to which it counts.
 template <class S>
-using Kernel = std::uint32_t (*)(const S* coordinates, std::size_t padded, S x, S y, S z);
+using FarthestKernel = std::uint32_t (*)(const S* coordinates, std::size_t padded, S x, S y, S z);
 
 std::uint32_t FarthestSse2(const double* coordinates, std::size_t padded, double x, double y, double z);
 std::uint32_t FarthestSse2(const float* coordinates, std::size_t padded, float x, float y, float z);
