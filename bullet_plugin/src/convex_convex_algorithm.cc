@@ -15,9 +15,9 @@
 #include "contact_distance.h"
 #include "contact_drawer.h"
 #include "dgd_bullet/recorder.h"
-#include "friction_anchors.h"
 #include "manifold_writer.h"
 #include "pair_apart.h"
+#include "pair_contacts.h"
 #include "pair_distance.h"
 #include "pair_impact.h"
 #include "pair_motion.h"
@@ -35,10 +35,6 @@ namespace {
 /// Bounds that rounding keeps farther apart than the tolerance still prove a result if they agree to this: 5
 /// micrometres in half a metre, a thousandth of what Bullet's float pairs are off by. Beyond it, Bullet answers.
 constexpr double kCertifiedGap = 1e-5;
-
-/// Depths that make no difference to a simulation, of the breaking threshold: 20 micrometres for large bodies. And to
-/// anybody: picometres.
-constexpr double kEqualDepth = 1e-3, kNoDepth = 1e-10;
 
 /// Relative tolerance of the answer to an app that asks, as contactTest() and contactPairTest() do; and how many times
 /// the evaluations of a step its least translation may take: 64 are an expanding polytope, which may be begun anew.
@@ -219,7 +215,7 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObj
   Query query(narrowphase_, *body_0, hull_0_, *body_1, hull_1_);
   Recall(is_other_order, query.shape_a.pose, query.shape_b.pose);
   const btCollisionObject &object_a = *body_0->getCollisionObject(), &object_b = *body_1->getCollisionObject();
-  if (MeetsEarly(object_a, object_b)) {
+  if (speculative_ && MeetsEarly(manifold_, object_a, object_b)) {
     query.motion = {BodyReach(object_a), BodyReach(object_b), double(info.m_timeStep)};
   }
   query.breaking_threshold = manifold_.BreakingThreshold();
@@ -247,7 +243,7 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObj
     if (!had_contact_) return Fallback::kNoMemory;
     manifold_.ShowTo(output);
   }
-  WriteContacts(patch, result.normal, output);
+  WriteContacts(patch, result.normal, options, manifold_, output);
   // Bodies that do not touch may be given a speed that makes them.
   if (had_contact_) RememberRest(*body_0, *body_1, query.motion);
   return std::nullopt;
@@ -305,11 +301,8 @@ dgd::ContactPatch<double> ConvexConvexAlgorithm::FindContactPatch(Query& query) 
     FindFacingFaces(query.shape_a, query.shape_b, result, options.angular_tolerance, query.facing);
     if (query.wants_least && may_be_apart_) face_holder_ = HolderOf(query.facing);
   }
-  const dgd::PatchSettings<double> settings{
-      .contact_distance = query.contact_distance,
-      .spacing = query.breaking_threshold,
-      .equal_depth = (query.is_asked ? kNoDepth : kEqualDepth) * query.breaking_threshold,
-      .max_points = options.patch_size};
+  const dgd::PatchSettings<double> settings =
+      PatchSettingsOf(options, manifold_, query.contact_distance, query.is_asked);
   return FindPatch(result, query.facing, settings, query.motion);
 }
 
@@ -318,11 +311,8 @@ bool ConvexConvexAlgorithm::StaysAtRest(const btCollisionObjectWrapper& body_0, 
   // An app that asks wants to see each contact anew, as a debug drawer does.
   if (!is_resting_ || WantsContacts(info.m_debugDraw) || IsAskedByApp(output)) return false;
   const btCollisionObjectWrapper &body_a = was_swapped_ ? body_1 : body_0, &body_b = was_swapped_ ? body_0 : body_1;
-  const RestingPair::Since since = resting_->Compare(body_a, body_b, *manifold_, hull_0_, hull_1_);
-  if (since == RestingPair::Since::kChanged) return false;
-  if (since == RestingPair::Since::kMovedTogether) resting_->Follow(body_a, body_b, *manifold_);
-  if (narrowphase_.options().friction_anchors) HoldKept(*manifold_);
-  KeepContacts(*manifold_, output);
+  const bool hold_stuck = narrowphase_.options().friction_anchors;
+  if (!KeepContacts(*resting_, body_a, body_b, hull_0_, hull_1_, hold_stuck, *manifold_, output)) return false;
   if (PairCounters* counters = narrowphase_.pair_counters()) {
     counters->Count(ShapeOf(&body_0).getShapeType(), ShapeOf(&body_1).getShapeType(),
                     {.way = PairOutcome::Way::kResting, .patch_size = manifold_->getNumContacts()});
@@ -345,8 +335,9 @@ bool ConvexConvexAlgorithm::StaysApart(const btCollisionObjectWrapper& body_0, c
   const double separation = SeparationAlong({a, reach_a}, {b, reach_b}, normal);
   // What memory is slow to bring comes last.
   if (!(separation > ContactDistance(options, manifold_.BreakingThreshold(), output))) return false;
-  const PairMotion motion =
-      MeetsEarly(reach_a.object, reach_b.object) ? PairMotion(reach_a, reach_b, double(info.m_timeStep)) : PairMotion();
+  const PairMotion motion = speculative_ && MeetsEarly(manifold_, reach_a.object, reach_b.object)
+                                ? PairMotion(reach_a, reach_b, double(info.m_timeStep))
+                                : PairMotion();
   if (motion.MayApproachBy(separation, FromBullet(normal))) return false;
   if (manifold_.IsOwn() && !manifold_.IsEmpty()) return false;  // Of an answer that was not ours.
   if (PairCounters* counters = narrowphase_.pair_counters()) {
@@ -360,13 +351,9 @@ bool ConvexConvexAlgorithm::StaysApart(const btCollisionObjectWrapper& body_0, c
 
 void ConvexConvexAlgorithm::RememberRest(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
                                          const PairMotion& motion) {
-  const Options& options = narrowphase_.options();
-  // Where the options say that contacts come from this step's poses alone, none are kept from an earlier one.
-  if (!options.keep_resting_contacts || !manifold_.IsOwn() || !options.contact_patch || !options.warm_start) return;
-  const double breaking_threshold = manifold_.BreakingThreshold();
+  if (!KeepsContacts(narrowphase_.options(), manifold_)) return;
   const Footing footing = FootingOfContacts(body_a, body_b);
-  if (!motion.IsWithin(RestingDistance(breaking_threshold)) && !Lasts(footing, motion, *manifold_)) return;
-  if (!RestingPair::CanTell(body_a, body_b, breaking_threshold, footing)) return;
+  if (!WillRest(body_a, body_b, footing, motion, *manifold_)) return;
   const RestingPair resting(body_a, body_b, *manifold_, footing);
   if (resting_ != nullptr) {
     *resting_ = resting;
@@ -386,25 +373,6 @@ void ConvexConvexAlgorithm::Recall(bool is_other_order, const Pose& pose_a, cons
     warm_start_.normal_1 = (-pose_a.rotation.transpose() * (pose_b.rotation * warm_start_.normal_1)).normalized();
     face_holder_ = Swapped(face_holder_);
   }
-}
-
-bool ConvexConvexAlgorithm::MeetsEarly(const btCollisionObject& object_0, const btCollisionObject& object_1) const {
-  // A shared manifold is refreshed by whoever shares it, and loses far points there. A contact that is met early takes
-  // its part of the step from the speed of the rebound.
-  return speculative_ && manifold_.IsOwn() &&
-         !(btManifoldResult::calculateCombinedRestitution(&object_0, &object_1) > 0);
-}
-
-void ConvexConvexAlgorithm::WriteContacts(const dgd::ContactPatch<double>& patch, const Vector3& normal,
-                                          btManifoldResult& output) {
-  if (!manifold_.IsOwn()) {
-    const double equal_depth = kEqualDepth * manifold_.BreakingThreshold();
-    AddToShared(patch, normal, equal_depth, output);
-    return;
-  }
-  if (patch.size == 0 && manifold_.IsEmpty()) return;  // As most pairs of a broadphase, step after step.
-  const Options& options = narrowphase_.options();
-  UpdateManifold(patch, normal, {.drop_stale = options.contact_patch, .hold_stuck = options.friction_anchors}, output);
 }
 
 btScalar ConvexConvexAlgorithm::calculateTimeOfImpact(btCollisionObject* body_0, btCollisionObject* body_1,

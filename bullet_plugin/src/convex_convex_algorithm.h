@@ -99,12 +99,6 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   /// solved in now.
   void Recall(bool is_other_order, const Pose& pose_a, const Pose& pose_b);
 
-  /// Whether contacts may meet the bodies' motion before they touch.
-  bool MeetsEarly(const btCollisionObject& object_0, const btCollisionObject& object_1) const;
-
-  /// Makes the manifold's points those of the patch, through the output.
-  void WriteContacts(const dgd::ContactPatch<double>& patch, const Vector3& normal, btManifoldResult& output);
-
   // What a pair that rests or stays apart needs comes first, up to the last normal: two lines of the cache.
   Narrowphase& narrowphase_;
   [[no_unique_address]] PairManifold manifold_;           // What follows takes its padding.

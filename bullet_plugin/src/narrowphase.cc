@@ -15,6 +15,7 @@
 
 #include "convex_convex_algorithm.h"
 #include "convex_mesh_algorithm.h"
+#include "convex_plane_algorithm.h"
 #include "finite_result.h"
 
 namespace dgd_bullet {
@@ -69,8 +70,13 @@ bool Narrowphase::HandlesMesh(int convex_type, int mesh_type) {
   }
 }
 
+bool Narrowphase::HandlesPlane(int convex_type, int plane_type) {
+  return plane_type == STATIC_PLANE_PROXYTYPE && Handles(convex_type, BOX_SHAPE_PROXYTYPE);
+}
+
 btCollisionAlgorithmCreateFunc* Narrowphase::ContactCreateFunc(int type_0, int type_1) {
   if (Handles(type_0, type_1)) return &contact_create_func_;
+  if (HandlesPlane(type_0, type_1) || HandlesPlane(type_1, type_0)) return &plane_contact_create_func_;
   // Bullet keeps nothing of a triangle from step to step.
   if (!options_.warm_start) return nullptr;
   if (HandlesMesh(type_0, type_1)) return &mesh_create_func_;
@@ -79,7 +85,9 @@ btCollisionAlgorithmCreateFunc* Narrowphase::ContactCreateFunc(int type_0, int t
 }
 
 btCollisionAlgorithmCreateFunc* Narrowphase::ClosestPointsCreateFunc(int type_0, int type_1) {
-  return Handles(type_0, type_1) ? &closest_points_create_func_ : nullptr;
+  if (Handles(type_0, type_1)) return &closest_points_create_func_;
+  if (HandlesPlane(type_0, type_1) || HandlesPlane(type_1, type_0)) return &plane_closest_points_create_func_;
+  return nullptr;
 }
 
 Statistics Narrowphase::statistics() const {
@@ -112,10 +120,11 @@ void Narrowphase::FallBack(btDispatcher& dispatcher, const btCollisionObjectWrap
   algorithm.processCollision(body_0, body_1, info, &finite);
 }
 
-btCollisionAlgorithm* Narrowphase::PairCreateFunc::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
-                                                                            const btCollisionObjectWrapper* body_0,
-                                                                            const btCollisionObjectWrapper* body_1) {
-  auto* algorithm = Make<ConvexConvexAlgorithm>(info, narrowphase, speculative);
+template <class Algorithm>
+btCollisionAlgorithm* Narrowphase::PairCreateFunc<Algorithm>::CreateCollisionAlgorithm(
+    btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body_0,
+    const btCollisionObjectWrapper* body_1) {
+  auto* algorithm = Make<Algorithm>(info, narrowphase, speculative);
   if (algorithm == nullptr) {
     narrowphase.CountFallback(*body_0->getCollisionShape(), *body_1->getCollisionShape(), Fallback::kNoMemory);
   }

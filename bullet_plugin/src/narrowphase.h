@@ -21,6 +21,9 @@ struct btDispatcherInfo;
 
 namespace dgd_bullet {
 
+class ConvexConvexAlgorithm;
+class ConvexPlaneAlgorithm;
+
 /// Outlives the dispatcher and its pairs. All members may be used by several threads at once.
 class Narrowphase {
  public:
@@ -34,6 +37,9 @@ class Narrowphase {
   /// Whether it takes the triangles of such a mesh, or of a heightfield, against such a convex shape. Other concave
   /// types are no meshes, or have algorithms of their own.
   static bool HandlesMesh(int convex_type, int mesh_type);
+
+  /// Whether it takes such a convex shape against a static plane.
+  static bool HandlesPlane(int convex_type, int plane_type);
 
   /// Make the algorithm of a pair of shape types, for the two tables of a dispatcher; null where that is left to
   /// Bullet.
@@ -55,6 +61,8 @@ class Narrowphase {
                 const btCollisionObjectWrapper* body_1, const btDispatcherInfo& info, btManifoldResult& output);
 
  private:
+  /// Of ConvexConvexAlgorithm, or ConvexPlaneAlgorithm.
+  template <class Algorithm>
   struct PairCreateFunc : btCollisionAlgorithmCreateFunc {
     PairCreateFunc(Narrowphase& shared, bool may_speculate) : narrowphase(shared), speculative(may_speculate) {}
     btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
@@ -73,8 +81,11 @@ class Narrowphase {
   };
 
   const Options options_;
-  PairCreateFunc contact_create_func_{*this, options_.contact_patch&& options_.speculative_contacts};
-  PairCreateFunc closest_points_create_func_{*this, false};
+  const bool may_speculate_ = options_.contact_patch && options_.speculative_contacts;
+  PairCreateFunc<ConvexConvexAlgorithm> contact_create_func_{*this, may_speculate_};
+  PairCreateFunc<ConvexConvexAlgorithm> closest_points_create_func_{*this, false};
+  PairCreateFunc<ConvexPlaneAlgorithm> plane_contact_create_func_{*this, may_speculate_};
+  PairCreateFunc<ConvexPlaneAlgorithm> plane_closest_points_create_func_{*this, false};
   MeshCreateFunc mesh_create_func_{*this, false}, swapped_mesh_create_func_{*this, true};
   HullCache hulls_;
   btGjkEpaPenetrationDepthSolver penetration_solver_;

@@ -7,7 +7,7 @@
 namespace dgd_bullet {
 namespace {
 
-constexpr int kTypes = CONCAVE_SHAPES_START_HERE;
+constexpr int kTypes = STATIC_PLANE_PROXYTYPE + 1;
 
 /// Of the row of two types in a table of all.
 std::size_t IndexOf(int lower_type, int higher_type) {

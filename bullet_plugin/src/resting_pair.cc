@@ -4,12 +4,14 @@
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletCollision/CollisionShapes/btConeShape.h>
 #include <BulletCollision/CollisionShapes/btConvexInternalShape.h>
+#include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "contact_materials.h"
+#include "friction_anchors.h"
 #include "manifold_writer.h"
 #include "pair_motion.h"
 #include "shape_adapter.h"
@@ -24,8 +26,10 @@ namespace {
 constexpr double kTiltWeight = 2;
 
 /// The numbers that make a shape what it is, besides its margin; of hulls of points, the hull knows.
-btVector3 SizeOf(const btConvexShape& shape, int type) {
+btVector3 SizeOf(const btCollisionShape& shape, int type) {
   switch (type) {
+    case STATIC_PLANE_PROXYTYPE:
+      return static_cast<const btStaticPlaneShape&>(shape).getPlaneNormal();
     case CONE_SHAPE_PROXYTYPE: {
       const auto& cone = static_cast<const btConeShape&>(shape);
       return {cone.getRadius(), cone.getHeight(), 0};
@@ -40,6 +44,16 @@ btVector3 SizeOf(const btConvexShape& shape, int type) {
   }
 }
 
+btScalar MarginOf(const btCollisionShape& shape, int type) {
+  // A plane's own is not looked at.
+  return type == STATIC_PLANE_PROXYTYPE ? static_cast<const btStaticPlaneShape&>(shape).getPlaneConstant()
+                                        : shape.getMargin();
+}
+
+int AxisOf(const btCollisionShape& shape, int type) {
+  return type == STATIC_PLANE_PROXYTYPE ? kZAxis : UpAxis(static_cast<const btConvexShape&>(shape));
+}
+
 bool HasComparableShape(const btCollisionObjectWrapper& body) {
   switch (const int type = body.getCollisionShape()->getShapeType()) {
     case CONE_SHAPE_PROXYTYPE:
@@ -47,15 +61,17 @@ bool HasComparableShape(const btCollisionObjectWrapper& body) {
     case BOX_SHAPE_PROXYTYPE:
     case CAPSULE_SHAPE_PROXYTYPE:
     case CYLINDER_SHAPE_PROXYTYPE:
+    case STATIC_PLANE_PROXYTYPE:
       return true;
     default:
       return IsHullOfPoints(type);
   }
 }
 
+/// Or a half-space.
 bool IsPolytope(const btCollisionObjectWrapper& body) {
   const int type = body.getCollisionShape()->getShapeType();
-  return type == BOX_SHAPE_PROXYTYPE || IsHullOfPoints(type);
+  return type == BOX_SHAPE_PROXYTYPE || type == STATIC_PLANE_PROXYTYPE || IsHullOfPoints(type);
 }
 
 bool HasPlainMaterial(const btCollisionObject& body) {
@@ -204,26 +220,44 @@ void RestingPair::Follow(const btCollisionObjectWrapper& body_a, const btCollisi
 }
 
 RestingPair::Side RestingPair::SideOf(const btCollisionObjectWrapper& body) {
-  const auto& shape = static_cast<const btConvexShape&>(*body.getCollisionShape());
+  const btCollisionShape& shape = *body.getCollisionShape();
   const int type = shape.getShapeType();
   const btTransform& pose = body.getWorldTransform();
   const auto reach = btScalar(Reach(*body.getCollisionObject(), pose.getOrigin()));
-  return {&shape, type, UpAxis(shape), SizeOf(shape, type), shape.getMargin(), reach, pose};
+  return {&shape, type, AxisOf(shape, type), SizeOf(shape, type), MarginOf(shape, type), reach, pose};
 }
 
 bool RestingPair::IsSameShape(const Side& then, const btCollisionObjectWrapper& body, const Hull& hull) {
-  const auto* shape = static_cast<const btConvexShape*>(body.getCollisionShape());
+  const btCollisionShape* shape = body.getCollisionShape();
   if (shape != then.shape) return false;
   const int type = shape->getShapeType();
-  if (type != then.type || shape->getMargin() != then.margin) return false;
-  if (IsHullOfPoints(type)) return hull != nullptr && hull->Matches(*shape);
-  return UpAxis(*shape) == then.axis && SizeOf(*shape, type) == then.size;
+  if (type != then.type || MarginOf(*shape, type) != then.margin) return false;
+  if (IsHullOfPoints(type)) return hull != nullptr && hull->Matches(static_cast<const btConvexShape&>(*shape));
+  return AxisOf(*shape, type) == then.axis && SizeOf(*shape, type) == then.size;
 }
 
-void KeepContacts(btPersistentManifold& manifold, btManifoldResult& output) {
+bool KeepsContacts(const Options& options, const PairManifold& manifold) {
+  return options.keep_resting_contacts && manifold.IsOwn() && options.contact_patch && options.warm_start;
+}
+
+bool WillRest(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b, const Footing& footing,
+              const PairMotion& motion, const btPersistentManifold& manifold) {
+  const auto breaking_threshold = double(manifold.getContactBreakingThreshold());
+  return (motion.IsWithin(RestingDistance(breaking_threshold)) || Lasts(footing, motion, manifold)) &&
+         RestingPair::CanTell(body_a, body_b, breaking_threshold, footing);
+}
+
+bool KeepContacts(RestingPair& resting, const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
+                  const RestingPair::Hull& hull_a, const RestingPair::Hull& hull_b, bool hold_stuck,
+                  btPersistentManifold& manifold, btManifoldResult& output) {
+  const RestingPair::Since since = resting.Compare(body_a, body_b, manifold, hull_a, hull_b);
+  if (since == RestingPair::Since::kChanged) return false;
+  if (since == RestingPair::Since::kMovedTogether) resting.Follow(body_a, body_b, manifold);
+  if (hold_stuck) HoldKept(manifold);
   const ContactMaterials materials(*output.getBody0Internal(), *output.getBody1Internal());
   for (int i = 0; i < manifold.getNumContacts(); ++i) materials.ApplyTo(manifold.getContactPoint(i));
   output.refreshContactPoints();
+  return true;
 }
 
 }  // namespace dgd_bullet

@@ -20,9 +20,11 @@
 #include <memory>
 
 #include "dgd/held_face.h"
+#include "dgd_bullet/options.h"
 #include "hull_cache.h"
+#include "pair_manifold.h"
 
-class btConvexShape;
+class btCollisionShape;
 class btManifoldResult;
 class btPersistentManifold;
 struct btCollisionObjectWrapper;
@@ -86,12 +88,12 @@ class RestingPair {
 
  private:
   struct Side {
-    const btConvexShape* shape;
+    const btCollisionShape* shape;
     int type;
     int axis;  // Another shape of the same size may have taken the address.
     btVector3 size;
-    btScalar margin;
-    btScalar reach;  // From the pose's origin to the body's farthest point.
+    btScalar margin;  // Of a plane, its constant.
+    btScalar reach;   // From the pose's origin to the body's farthest point.
     btTransform pose;
   };
 
@@ -107,7 +109,17 @@ class RestingPair {
   int contacts_;
 };
 
-/// Brings the contacts of a pair that is as it was up to date: distances, and what the bodies' materials make of them.
-void KeepContacts(btPersistentManifold& manifold, btManifoldResult& output);
+/// Whether contacts are kept at all, which come from other steps' poses then.
+bool KeepsContacts(const Options& options, const PairManifold& manifold);
+
+/// Whether a pair whose contacts have just been found will be nearly as it is after the step.
+bool WillRest(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b, const Footing& footing,
+              const PairMotion& motion, const btPersistentManifold& manifold);
+
+/// Brings the contacts of a pair up to date if it is as it was: distances, and what the bodies' materials make of them.
+/// @return whether it is.
+bool KeepContacts(RestingPair& resting, const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
+                  const RestingPair::Hull& hull_a, const RestingPair::Hull& hull_b, bool hold_stuck,
+                  btPersistentManifold& manifold, btManifoldResult& output);
 
 }  // namespace dgd_bullet

@@ -40,6 +40,8 @@ const char* ShapeTypeName(int type) {
       return "MINKOWSKI_DIFFERENCE";
     case CUSTOM_CONVEX_SHAPE_TYPE:
       return "CUSTOM_CONVEX";
+    case STATIC_PLANE_PROXYTYPE:
+      return "STATIC_PLANE";
     default:
       return nullptr;
   }

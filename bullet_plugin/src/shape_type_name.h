@@ -1,4 +1,4 @@
-// Bullet's types of convex shapes by name.
+// Bullet's types of convex shapes, and of what else they meet here, by name.
 #pragma once
 
 namespace dgd_bullet {

@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "dgd/contact_patch.h"
+#include "dgd/half_space_patch.h"
 #include "dgd/shapes.h"
 #include "support/random.h"
 
@@ -89,6 +91,30 @@ TEST(HalfSpaceDistance, BadAndDegenerateInput_HasADefinedOutcome) {
   EXPECT_EQ(limited.status, dgd::Status::kOptimal);
   const auto apart = dgd::GrowthDistance(dgd::Sphere(0.5), At({0, 0, 3}), kGround, {}, {.separation_limit = 0.5});
   EXPECT_EQ(apart.status, dgd::Status::kSeparated);
+}
+
+// A box that lies on a slope touches it by its face, and a tilted one by what is near.
+TEST(HalfSpacePatch, Box_ShowsAllCornersOfItsFace) {
+  const dgd::RoundedSet box{dgd::Box<double>({0.5, 0.4, 0.3}), 0.1};
+  const dgd::Pose<double> slope{Eigen::AngleAxisd(0.5, Vector3d(1, 2, 0).normalized()).toRotationMatrix(), {3, 4, 5}};
+  const auto never = [](const Vector3d&, double) { return false; };
+  const auto patch_of = [&](double tilt) {
+    const Eigen::Matrix3d turn = slope.rotation * Eigen::AngleAxisd(tilt, Vector3d::UnitY()).toRotationMatrix();
+    const dgd::Pose<double> pose{turn, slope * Vector3d(7, 8, 0.399)};
+    const auto result = dgd::GrowthDistance(box, pose, kGround, slope);
+    dgd::FacingFaces<double> facing;
+    dgd::FindFacingFaces(box, pose, kGround, result, facing);
+    return dgd::FindContactPatch(result, facing, {.contact_distance = 0.02, .spacing = 0.01}, never);
+  };
+  const auto flat = patch_of(0);
+  ASSERT_EQ(flat.size, 4);
+  for (const auto& point : flat.points) {
+    EXPECT_NEAR(point.separation, -0.001, 1e-12);
+    const Vector3d on_ground = slope.rotation.transpose() * (point.on_2 - slope.translation) - Vector3d(7, 8, 0);
+    EXPECT_LT((on_ground.cwiseAbs() - Vector3d(0.5, 0.4, 0)).norm(), 1e-12);
+    EXPECT_NEAR((point.on_1 - point.on_2).norm(), 0.001, 1e-12);
+  }
+  EXPECT_EQ(patch_of(0.1).size, 2);
 }
 
 }  // namespace

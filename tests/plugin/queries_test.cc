@@ -1,4 +1,4 @@
-// The narrowphase behind Bullet's other doors: contact tests, compounds, meshes, heightfields, planes and ghosts.
+// The narrowphase behind Bullet's other doors: contact tests, compounds, meshes, heightfields and ghosts.
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
 #include <BulletCollision/CollisionShapes/btHeightfieldTerrainShape.h>
 #include <gtest/gtest.h>
@@ -204,22 +204,6 @@ TEST_P(ContactQueries, Ghost_SeesTheManifoldsOfItsPairs) {
   for (int i = 0; i < manifolds.size(); ++i) points += manifolds[i]->getNumContacts();
   EXPECT_EQ(points, 4);
   world_.world().removeCollisionObject(&ghost);
-}
-
-// Convex against a plane is Bullet's own row, and stays so.
-TEST_P(ContactQueries, StaticPlane_StaysBullets) {
-  btStaticPlaneShape plane(Vec(0, 0, 1), 0);
-  btBoxShape box(Vec(0.5, 0.5, 0.5));
-  TestWorld builtin(Route::kBuiltin);
-  btCollisionObject& a = Object(box, At(0, 0, 0.45));
-  btCollisionObject& b = Object(plane, At(0, 0, 0));
-  const std::vector<Contact> contacts = PairTest(a, b);
-  Collector expected(a);
-  builtin.world().contactPairTest(&a, &b, expected);
-  ASSERT_EQ(contacts.size(), expected.contacts.size());
-  ASSERT_FALSE(contacts.empty());
-  EXPECT_EQ(contacts[0].on_b, expected.contacts[0].on_b);
-  EXPECT_EQ(contacts[0].depth, expected.contacts[0].depth);
 }
 
 /// A flat ground of triangles: a grid of 2 x `cells` x `cells` triangles, `width` metres wide, at z = 0.

@@ -38,6 +38,11 @@ bool IsConvexOnMesh(int type_0, int type_1) {
   return (IsConvexSolid(type_0) && IsMesh(type_1)) || (IsMesh(type_0) && IsConvexSolid(type_1));
 }
 
+bool IsConvexOnPlane(int type_0, int type_1) {
+  return (IsConvexSolid(type_0) && type_1 == STATIC_PLANE_PROXYTYPE) ||
+         (type_0 == STATIC_PLANE_PROXYTYPE && IsConvexSolid(type_1));
+}
+
 template <class Check>
 void ForAllTypes(const Check& check) {
   for (int type_0 = 0; type_0 < MAX_BROADPHASE_COLLISION_TYPES; ++type_0) {
@@ -69,9 +74,10 @@ TEST(Registration, Configuration_LeavesTheOtherPairsToBullet) {
     if (IsConvexSolid(type_0) && IsConvexSolid(type_1)) return;
     EXPECT_EQ(configuration.getCollisionAlgorithmCreateFunc(type_0, type_1) ==
                   configuration.btDefaultCollisionConfiguration::getCollisionAlgorithmCreateFunc(type_0, type_1),
-              !IsConvexOnMesh(type_0, type_1));
-    EXPECT_EQ(configuration.getClosestPointsAlgorithmCreateFunc(type_0, type_1),
-              configuration.btDefaultCollisionConfiguration::getClosestPointsAlgorithmCreateFunc(type_0, type_1));
+              !IsConvexOnMesh(type_0, type_1) && !IsConvexOnPlane(type_0, type_1));
+    EXPECT_EQ(configuration.getClosestPointsAlgorithmCreateFunc(type_0, type_1) ==
+                  configuration.btDefaultCollisionConfiguration::getClosestPointsAlgorithmCreateFunc(type_0, type_1),
+              !IsConvexOnPlane(type_0, type_1));
   });
 }
 
@@ -84,7 +90,7 @@ TEST(Registration, Dispatcher_CopiesTheConfigurationsTables) {
   });
 }
 
-TEST(Registration, Register_TakesEveryConvexPairAndMeshesAndNothingElse) {
+TEST(Registration, Register_TakesEveryConvexPairMeshesAndPlanesAndNothingElse) {
   btDefaultCollisionConfiguration configuration;
   const OpenDispatcher before(&configuration);
   OpenDispatcher after(&configuration);
@@ -98,8 +104,10 @@ TEST(Registration, Register_TakesEveryConvexPairAndMeshesAndNothingElse) {
       EXPECT_NE(before.Contact(type_0, type_1), contact);
       EXPECT_NE(before.Closest(type_0, type_1), closest);
     } else {
-      EXPECT_EQ(after.Contact(type_0, type_1) == before.Contact(type_0, type_1), !IsConvexOnMesh(type_0, type_1));
-      EXPECT_EQ(after.Closest(type_0, type_1), before.Closest(type_0, type_1));
+      const bool is_plane = IsConvexOnPlane(type_0, type_1);
+      EXPECT_EQ(after.Contact(type_0, type_1) == before.Contact(type_0, type_1),
+                !IsConvexOnMesh(type_0, type_1) && !is_plane);
+      EXPECT_EQ(after.Closest(type_0, type_1) == before.Closest(type_0, type_1), !is_plane);
     }
   });
 }

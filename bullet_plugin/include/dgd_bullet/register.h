@@ -15,8 +15,8 @@ namespace dgd_bullet {
 class Narrowphase;
 
 /// Registers the growth distance for every pair of convex types, both orders, in the contact table and in the
-/// closest-points table of `dispatcher`, and for convex types on meshes as CollisionConfigurationOf does. Pairs that
-/// already have an algorithm keep it until their bounding boxes part.
+/// closest-points table of `dispatcher`, and for convex types on planes and meshes as CollisionConfigurationOf does.
+/// Pairs that already have an algorithm keep it until their bounding boxes part.
 /// @return the narrowphase now in use. It lives until the process ends, as Bullet demands of what it does not own.
 const Narrowphase& Register(btCollisionDispatcher* dispatcher, const Options& options = {});
 inline const Narrowphase& Register(btCollisionDispatcher& dispatcher, const Options& options = {}) {

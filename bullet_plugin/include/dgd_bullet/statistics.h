@@ -21,7 +21,7 @@ struct FallbackCounts {
   }
 };
 
-/// What the pairs of two types of shapes came to.
+/// What the pairs of two types of shapes came to, a static plane among them.
 struct PairStatistics : FallbackCounts {
   /// Bullet's numbers of the types (BOX_SHAPE_PROXYTYPE ...), type_0 <= type_1.
   int type_0 = 0, type_1 = 0;

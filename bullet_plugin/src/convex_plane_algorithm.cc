@@ -1,0 +1,147 @@
+#include "convex_plane_algorithm.h"
+
+#include <BulletCollision/BroadphaseCollision/btDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+#include <BulletCollision/CollisionShapes/btConvexShape.h>
+#include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
+
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+#include "asked_by_app.h"
+#include "bullet_conversions.h"
+#include "contact_distance.h"
+#include "contact_drawer.h"
+#include "dgd/half_space_patch.h"
+#include "pair_contacts.h"
+#include "pair_motion.h"
+#include "pair_patch.h"
+#include "resting_pair.h"
+#include "shape_adapter.h"
+
+namespace dgd_bullet {
+namespace {
+
+/// The half-space under a plane. Throws std::invalid_argument where the plane has no normal.
+Pose PoseOfHalfSpace(const btStaticPlaneShape& plane, const btTransform& transform) {
+  const Pose pose = FromBullet(transform);
+  const Vector3 normal = FromBullet(plane.getPlaneNormal());
+  // Bullet has made it a unit vector, which is zero or no number if it was given none.
+  if (!(normal.squaredNorm() > 0.5)) throw std::invalid_argument("a plane without a normal");
+  const Vector3 up = (pose.rotation * normal).normalized();
+  return {dgd::FrameAlong<double>(up), pose.translation + double(plane.getPlaneConstant()) * up};
+}
+
+/// Against planes, Bullet's boxes have sharp edges.
+GeometryMode GeometryAgainstPlanes(const btConvexShape& shape, GeometryMode mode) {
+  return shape.getShapeType() == BOX_SHAPE_PROXYTYPE ? GeometryMode::kSharp : mode;
+}
+
+}  // namespace
+
+ConvexPlaneAlgorithm::ConvexPlaneAlgorithm(const btCollisionAlgorithmConstructionInfo& info, Narrowphase& narrowphase,
+                                           bool speculative)
+    : btCollisionAlgorithm(info), narrowphase_(narrowphase), manifold_(info.m_manifold), speculative_(speculative) {}
+
+ConvexPlaneAlgorithm::~ConvexPlaneAlgorithm() {
+  if (manifold_.IsOwn()) manifold_.GiveBack(*m_dispatcher);
+}
+
+void ConvexPlaneAlgorithm::processCollision(const btCollisionObjectWrapper* body_0,
+                                            const btCollisionObjectWrapper* body_1, const btDispatcherInfo& info,
+                                            btManifoldResult* output) {
+  const bool is_plane_first = body_0->getCollisionShape()->getShapeType() == STATIC_PLANE_PROXYTYPE;
+  const btCollisionObjectWrapper &convex = is_plane_first ? *body_1 : *body_0,
+                                 &plane = is_plane_first ? *body_0 : *body_1;
+  std::optional<Fallback> failure = Fallback::kNoMemory;
+  if (manifold_.Provide(*m_dispatcher, *convex.getCollisionObject(), *plane.getCollisionObject())) {
+    manifold_.ShowTo(*output);
+    if (StaysAtRest(convex, plane, info, *output)) return;
+    is_resting_ = false;
+    failure = FindContacts(convex, plane, info, *output);
+  }
+  if (!failure) return;
+  narrowphase_.CountFallback(*convex.getCollisionShape(), *plane.getCollisionShape(), *failure);
+  if (manifold_.IsOwn() && manifold_) manifold_->clearManifold();
+}
+
+std::optional<Fallback> ConvexPlaneAlgorithm::FindContacts(const btCollisionObjectWrapper& convex,
+                                                           const btCollisionObjectWrapper& plane,
+                                                           const btDispatcherInfo& info, btManifoldResult& output) try {
+  const Options& options = narrowphase_.options();
+  const auto& shape = *static_cast<const btConvexShape*>(convex.getCollisionShape());
+  const PosedShape posed = AdaptShape(shape, convex.getWorldTransform(),
+                                      GeometryAgainstPlanes(shape, options.geometry_mode), narrowphase_.hulls(), hull_);
+  const Pose pose_of_plane =
+      PoseOfHalfSpace(*static_cast<const btStaticPlaneShape*>(plane.getCollisionShape()), plane.getWorldTransform());
+  const auto result = std::visit(
+      [&](const auto& set) { return dgd::GrowthDistance(set, posed.pose, dgd::HalfSpace<double>(), pose_of_plane); },
+      posed.set);
+  // Sets without an interior have a separation all the same.
+  if (result.status == dgd::Status::kInvalidInput) return Fallback::kInvalid;
+
+  const double contact_distance = ContactDistance(options, manifold_.BreakingThreshold(), output);
+  const btCollisionObject &body = *convex.getCollisionObject(), &ground = *plane.getCollisionObject();
+  const PairMotion motion = speculative_ && MeetsEarly(manifold_, body, ground)
+                                ? PairMotion(BodyReach(body), BodyReach(ground), double(info.m_timeStep))
+                                : PairMotion();
+  dgd::ContactPatch<double> patch;
+  if (result.separation <= contact_distance || motion.MayApproachBy(result.separation, result.normal)) {
+    if (options.contact_patch) {
+      dgd::FacingFaces<double> facing;
+      std::visit(
+          [&](const auto& set) { dgd::FindFacingFaces(set, posed.pose, dgd::HalfSpace<double>(), result, facing); },
+          posed.set);
+      const dgd::PatchSettings<double> settings =
+          PatchSettingsOf(options, manifold_, contact_distance, IsAskedByApp(output));
+      patch = FindPatch(result, facing, settings, motion);
+    } else {
+      patch = WitnessOnly(result);
+    }
+  }
+  if (PairCounters* counters = narrowphase_.pair_counters()) {
+    counters->Count(shape.getShapeType(), STATIC_PLANE_PROXYTYPE,
+                    {.way = patch.size > 0 ? PairOutcome::Way::kSolved : PairOutcome::Way::kSeparated,
+                     .iterations = result.iterations,
+                     .patch_size = patch.size});
+  }
+  if (WantsContacts(info.m_debugDraw)) DrawContacts(patch, result, *info.m_debugDraw);
+  WriteContacts(patch, result.normal, options, manifold_, output);
+  const int contacts = manifold_->getNumContacts();
+  if (contacts > 0 && KeepsContacts(options, manifold_)) {
+    // The plane's own face is what holds them.
+    const bool has_footing = contacts >= FewestOfFooting(convex, plane);
+    const Footing footing = has_footing ? FootingOn(dgd::FaceHolder::kSet2, *manifold_) : Footing();
+    if (WillRest(convex, plane, footing, motion, *manifold_)) {
+      resting_.reset(new (std::nothrow) RestingPair(convex, plane, *manifold_, footing));
+      is_resting_ = resting_ != nullptr;
+    }
+  }
+  return std::nullopt;
+} catch (const std::bad_alloc&) {
+  return Fallback::kNoMemory;  // For a hull.
+} catch (const std::exception&) {
+  return Fallback::kInvalid;  // What is no shape.
+}
+
+bool ConvexPlaneAlgorithm::StaysAtRest(const btCollisionObjectWrapper& convex, const btCollisionObjectWrapper& plane,
+                                       const btDispatcherInfo& info, btManifoldResult& output) {
+  // As with two convex shapes.
+  if (!is_resting_ || WantsContacts(info.m_debugDraw) || IsAskedByApp(output)) return false;
+  const bool hold_stuck = narrowphase_.options().friction_anchors;
+  if (!KeepContacts(*resting_, convex, plane, hull_, nullptr, hold_stuck, *manifold_, output)) return false;
+  if (PairCounters* counters = narrowphase_.pair_counters()) {
+    counters->Count(convex.getCollisionShape()->getShapeType(), STATIC_PLANE_PROXYTYPE,
+                    {.way = PairOutcome::Way::kResting, .patch_size = manifold_->getNumContacts()});
+  }
+  return true;
+}
+
+void ConvexPlaneAlgorithm::getAllContactManifolds(btManifoldArray& manifolds) {
+  if (manifold_.IsOwn() && manifold_) manifolds.push_back(manifold_.Get());
+}
+
+}  // namespace dgd_bullet
