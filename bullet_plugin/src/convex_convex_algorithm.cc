@@ -303,7 +303,9 @@ dgd::ContactPatch<double> ConvexConvexAlgorithm::FindContactPatch(Query& query) 
   }
   const dgd::PatchSettings<double> settings =
       PatchSettingsOf(options, manifold_, query.contact_distance, query.is_asked);
-  return FindPatch(result, query.facing, settings, query.motion);
+  dgd::ContactPatch<double> patch = FindPatch(result, query.facing, settings, query.motion);
+  AddRimPoint(query.shape_a, query.shape_b, result, query.facing, settings, query.motion, patch);
+  return patch;
 }
 
 bool ConvexConvexAlgorithm::StaysAtRest(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,

@@ -56,6 +56,9 @@ class PairMotion {
     return time_step_ * a_.Speed() <= distance && time_step_ * b_.Speed() <= distance;
   }
 
+  /// Of body A as body B sees it: radians times the axis, world.
+  Vector3 Turn() const { return time_step_ * (a_.angular - b_.angular); }
+
   /// How far one body's point that is at a world point goes, as the other body sees it; metres.
   double Slip(const Vector3& point) const { return time_step_ * (a_.VelocityAt(point) - b_.VelocityAt(point)).norm(); }
   /// How far the smaller body's rim goes as a direction of its own, now the world's `normal`, tilts in the other's

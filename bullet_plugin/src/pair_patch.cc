@@ -1,6 +1,56 @@
 #include "pair_patch.h"
 
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <optional>
+
 namespace dgd_bullet {
+namespace {
+
+bool HasRim(const PosedShape& shape) {
+  return std::holds_alternative<dgd::RoundedSet<dgd::Cylinder<double>>>(shape.set) ||
+         std::holds_alternative<dgd::RoundedSet<dgd::Cone<double>>>(shape.set);
+}
+
+/// The point of the shape, where it is now, that will be its farthest one along a direction once it has turned; world.
+/// @param turn  Radians times the axis, world.
+Vector3 FarthestOnceTurned(const PosedShape& shape, const Vector3& direction, const Vector3& turn) {
+  const double angle = turn.norm();
+  const Vector3 seen = angle > 0 ? Vector3(Eigen::AngleAxisd(-angle, turn / angle) * direction) : direction;
+  const Vector3 local = shape.pose.rotation.transpose() * seen;
+  return std::visit(
+      [&](const auto& set) -> Vector3 { return shape.pose * set.core.Support(local).point + set.radius * direction; },
+      shape.set);
+}
+
+/// Of two points, one of each body, along a normal that turns with the one whose face it is; metres.
+double SeparationAtEnd(const dgd::ContactPoint<double>& point, const Vector3& normal, bool is_face_of_b,
+                       const PairMotion& motion) {
+  const Pose a = motion.MotionOfA({Matrix3::Identity(), point.on_1}).At(1);
+  const Pose b = motion.MotionOfB({Matrix3::Identity(), point.on_2}).At(1);
+  return ((is_face_of_b ? b : a).rotation * normal).dot(b.translation - a.translation);
+}
+
+/// If the bodies' motion brings it into overlap, and by more than that of bodies at rest does. A point of a rolling
+/// body comes down beside the others, too, and only touches: the way there is a curve. Bullet's solver takes it for
+/// straight, and is given the distance that ends alike; with the other it would brake what rolls.
+void AddComing(dgd::ContactPoint<double> coming, const Vector3& normal, bool is_face_of_b,
+               const dgd::PatchSettings<double>& settings, const PairMotion& motion, dgd::ContactPatch<double>& patch) {
+  if (patch.size == 0 || settings.max_points == 1) return;
+  const double spacing_sq = settings.spacing * settings.spacing;
+  for (int i = 0; i < patch.size; ++i) {
+    const dgd::ContactPoint<double>& point = patch.points[static_cast<std::size_t>(i)];
+    if (!((point.on_1 - coming.on_1).squaredNorm() > spacing_sq)) return;
+  }
+  const double at_end = SeparationAtEnd(coming, normal, is_face_of_b, motion);
+  if (!(at_end < -settings.equal_depth)) return;
+  coming.separation = std::max(coming.separation, at_end + motion.Approach(coming.on_1, normal));
+  coming.on_2 = coming.on_1 + coming.separation * normal;
+  if (patch.size == settings.max_points) --patch.size;
+  patch.points[static_cast<std::size_t>(patch.size++)] = coming;
+}
+
+}  // namespace
 
 void FindFacingFaces(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Result<double>& result,
                      double angular_tolerance, dgd::FacingFaces<double>& facing) {
@@ -22,6 +72,30 @@ dgd::ContactPatch<double> FindPatch(const dgd::Result<double>& result, const dgd
     return may_meet && separation <= motion.Approach(point, result.normal);
   };
   return dgd::FindContactPatch(result, facing, settings, is_approaching);
+}
+
+void AddRimPoint(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Result<double>& result,
+                 const dgd::FacingFaces<double>& facing, const dgd::PatchSettings<double>& settings,
+                 const PairMotion& motion, dgd::ContactPatch<double>& patch) {
+  const Vector3& normal = result.normal;
+  const bool is_a = facing.is_across_2 && HasRim(shape_a);
+  if (!is_a && !(facing.is_across_1 && HasRim(shape_b))) return;
+  const Vector3 rim =
+      is_a ? FarthestOnceTurned(shape_a, normal, motion.Turn()) : FarthestOnceTurned(shape_b, -normal, -motion.Turn());
+  const std::optional<dgd::Corner<double>> corner = facing.CornerAt(facing.frame.FromWorld(rim), is_a);
+  if (!corner) return;
+  const double separation = corner->Separation();
+  const Vector3 on_1 = is_a ? rim : Vector3(rim - separation * normal);
+  AddComing({on_1, on_1 + separation * normal, separation}, normal, is_a, settings, motion, patch);
+}
+
+void AddRimPoint(const PosedShape& shape, const dgd::Result<double>& result, const dgd::PatchSettings<double>& settings,
+                 const PairMotion& motion, dgd::ContactPatch<double>& patch) {
+  const Vector3& normal = result.normal;
+  if (!HasRim(shape)) return;
+  const Vector3 rim = FarthestOnceTurned(shape, normal, motion.Turn());
+  const double separation = normal.dot(result.witness_2 - rim);
+  AddComing({rim, rim + separation * normal, separation}, normal, true, settings, motion, patch);
 }
 
 dgd::ContactPatch<double> WitnessOnly(const dgd::Result<double>& result) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -214,6 +215,52 @@ TEST(PlaneLanding, Bodies_SinkInLessThanATenthAsDeepAsOnTheBuiltin) {
   const double builtin = DeepestLanding(Route::kBuiltin), ours = DeepestLanding(Route::kConfiguration);
   std::printf("deepest while landing, mean of bodies: built-in %.3f mm, ours %.3f mm\n", 1e3 * builtin, 1e3 * ours);
   EXPECT_LT(ours, 0.1 * builtin);
+}
+
+/// A cylinder or cone that wobbles on its flat side, as a spun coin does: how fast it still turns after a time, rad/s.
+double SpeedOfCoin(btConvexShape& coin, double height, bool on_plane) {
+  TestWorld world(Route::kConfiguration);
+  if (on_plane) {
+    world.Add(world.Make<btStaticPlaneShape>(Vec(0, 0, 1), btScalar(0)), 0, At(0, 0, 0));
+  } else {
+    world.AddGround();
+  }
+  const Eigen::Matrix3d tilt = Eigen::AngleAxisd(0.1, Vector::UnitX()).toRotationMatrix();
+  btRigidBody& body = world.Add(coin, 1, MakeTransform(tilt, {0, 0, height + 0.05}));
+  body.setAngularVelocity(Vec(0, 1, 0));
+  body.setActivationState(DISABLE_DEACTIVATION);
+  world.Simulate(4);
+  return double(body.getAngularVelocity().length());
+}
+
+// With the rim's lowest point of now alone they wobble at a radian a second for minutes, on either ground.
+TEST(WobblingCoin, ComesToRest) {
+  btCylinderShapeZ cylinder(Vec(0.4, 0.4, 0.3));
+  btConeShapeZ cone(btScalar(0.4), btScalar(0.4));
+  for (const bool on_plane : {false, true}) {
+    EXPECT_LT(SpeedOfCoin(cylinder, 0.3, on_plane), 0.01) << on_plane;
+    EXPECT_LT(SpeedOfCoin(cone, 0.2, on_plane), 0.01) << on_plane;
+  }
+}
+
+// A point that comes down beside the others is no reason to brake: it does so in all that rolls.
+TEST(RollingCylinder, KeepsItsSpeed) {
+  btCylinderShapeZ cylinder(Vec(0.4, 0.4, 0.3));
+  const Eigen::Matrix3d on_its_side = Eigen::AngleAxisd(std::numbers::pi / 2, Vector::UnitX()).toRotationMatrix();
+  for (const bool on_plane : {false, true}) {
+    TestWorld world(Route::kConfiguration);
+    if (on_plane) {
+      world.Add(world.Make<btStaticPlaneShape>(Vec(0, 0, 1), btScalar(0)), 0, At(0, 0, 0));
+    } else {
+      world.AddGround(20);
+    }
+    btRigidBody& body = world.Add(cylinder, 1, MakeTransform(on_its_side, {0, 0, 0.4}));
+    body.setAngularVelocity(Vec(0, 5, 0));
+    body.setLinearVelocity(Vec(2, 0, 0));
+    for (int i = 0; i < 180; ++i) world.world().stepSimulation(btScalar(1) / 60, 0, btScalar(1) / 60);
+    EXPECT_NEAR(double(body.getAngularVelocity().y()), 5, 0.01) << on_plane;
+    EXPECT_NEAR(double(body.getLinearVelocity().x()), 2, 0.01) << on_plane;
+  }
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "dgd/query_types.h"
 #include "dgd/ray/minkowski_difference.h"
@@ -182,6 +183,19 @@ void ClipByPolygon(const ProjectedFace<S>& subject, bool subject_is_1, const Pro
   for (int i = 0; i < current->size; ++i) overlap.Add((*current)[i]);
 }
 
+/// Whether a point seen along the normal is on the polygon.
+template <class S>
+bool IsOver(const ProjectedFace<S>& polygon, S x, S y) {
+  const SupportingFace<S>& face = polygon.Face();
+  const auto size = static_cast<std::size_t>(face.size);
+  for (std::size_t i = 0; i < size; ++i) {
+    const Vector3<S>&a = face.points[i], &b = face.points[i + 1 < size ? i + 1 : 0];
+    const S side = (b.x() - a.x()) * (y - a.y()) - (b.y() - a.y()) * (x - a.x());
+    if (!(polygon.Orientation() * side >= 0)) return false;
+  }
+  return true;
+}
+
 /// The common part of two nearly parallel segments: its two ends, half way between the surfaces there.
 template <class S>
 void OverlapSegments(const SupportingFace<S>& segment_1, const SupportingFace<S>& segment_2, CornerList<S>& overlap) {
@@ -256,6 +270,18 @@ struct FacingFaces {
       if (nearest == nullptr || overlap[i].Separation() < nearest->Separation()) nearest = &overlap[i];
     }
     return nearest;
+  }
+
+  /// The corner over a point of one set's surface and the face of the other that is across the normal; nothing beside
+  /// that face, or if it is not across.
+  /// @param point  In the frame, of set 1 if `is_of_1`.
+  std::optional<Corner<S>> CornerAt(const Vector3<S>& point, bool is_of_1) const {
+    using namespace facing_faces_internal;
+    if (!(is_of_1 ? is_across_2 : is_across_1)) return std::nullopt;
+    const ProjectedFace<S> face(is_of_1 ? face_2 : face_1, S(0));
+    if (!IsOver(face, point.x(), point.y())) return std::nullopt;
+    const S height = face.Height(point.x(), point.y());
+    return Corner<S>{point.x(), point.y(), is_of_1 ? point.z() : height, is_of_1 ? height : point.z()};
   }
 
   PatchFrame<S> frame;
