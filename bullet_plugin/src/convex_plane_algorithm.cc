@@ -1,5 +1,6 @@
 #include "convex_plane_algorithm.h"
 
+#include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
@@ -7,6 +8,7 @@
 #include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
 
 #include <exception>
+#include <limits>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -25,14 +27,28 @@
 namespace dgd_bullet {
 namespace {
 
-/// The half-space under a plane. Throws std::invalid_argument where the plane has no normal.
-Pose PoseOfHalfSpace(const btStaticPlaneShape& plane, const btTransform& transform) {
-  const Pose pose = FromBullet(transform);
-  const Vector3 normal = FromBullet(plane.getPlaneNormal());
+/// A plane's point and upward unit normal; world.
+struct Border {
+  Vector3 point, up;
+};
+
+/// Throws std::invalid_argument where the plane has no normal.
+Border BorderOf(const btCollisionObjectWrapper& plane) {
+  const auto& shape = *static_cast<const btStaticPlaneShape*>(plane.getCollisionShape());
+  const Pose pose = FromBullet(plane.getWorldTransform());
+  const Vector3 normal = FromBullet(shape.getPlaneNormal());
   // Bullet has made it a unit vector, which is zero or no number if it was given none.
   if (!(normal.squaredNorm() > 0.5)) throw std::invalid_argument("a plane without a normal");
   const Vector3 up = (pose.rotation * normal).normalized();
-  return {dgd::FrameAlong<double>(up), pose.translation + double(plane.getPlaneConstant()) * up};
+  return {pose.translation + double(shape.getPlaneConstant()) * up, up};
+}
+
+/// Height of a body's bounding box over the plane, as the broadphase has it; metres. No number without one.
+double HeightOfBox(const btCollisionObject& body, const Border& border) {
+  const btBroadphaseProxy* box = body.getBroadphaseHandle();
+  if (box == nullptr) return std::numeric_limits<double>::quiet_NaN();
+  const Vector3 lower = FromBullet(box->m_aabbMin), upper = FromBullet(box->m_aabbMax);
+  return border.up.dot((upper + lower) / 2 - border.point) - border.up.cwiseAbs().dot((upper - lower) / 2);
 }
 
 /// Against planes, Bullet's boxes have sharp edges.
@@ -73,23 +89,34 @@ std::optional<Fallback> ConvexPlaneAlgorithm::FindContacts(const btCollisionObje
                                                            const btDispatcherInfo& info, btManifoldResult& output) try {
   const Options& options = narrowphase_.options();
   const auto& shape = *static_cast<const btConvexShape*>(convex.getCollisionShape());
+  const btCollisionObject &body = *convex.getCollisionObject(), &ground = *plane.getCollisionObject();
+  const Border border = BorderOf(plane);
+  const double contact_distance = ContactDistance(options, manifold_.BreakingThreshold(), output);
+  const PairMotion motion = speculative_ && MeetsEarly(manifold_, body, ground)
+                                ? PairMotion(BodyReach(body), BodyReach(ground), double(info.m_timeStep))
+                                : PairMotion();
+  const auto is_out_of_reach = [&](double height) {
+    return height > contact_distance && !motion.MayApproachBy(height, -border.up);
+  };
+  PairOutcome outcome{.way = PairOutcome::Way::kSeparated};
+  // A plane has no end, so that all bodies of a world are asked about, most of them far above.
+  if (manifold_.IsOwn() && manifold_.IsEmpty() && !IsAskedByApp(output) && is_out_of_reach(HeightOfBox(body, border))) {
+    Count(outcome, convex);
+    return std::nullopt;
+  }
+
   const PosedShape posed = AdaptShape(shape, convex.getWorldTransform(),
                                       GeometryAgainstPlanes(shape, options.geometry_mode), narrowphase_.hulls(), hull_);
-  const Pose pose_of_plane =
-      PoseOfHalfSpace(*static_cast<const btStaticPlaneShape*>(plane.getCollisionShape()), plane.getWorldTransform());
+  const Pose pose_of_plane{dgd::FrameAlong<double>(border.up), border.point};
   const auto result = std::visit(
       [&](const auto& set) { return dgd::GrowthDistance(set, posed.pose, dgd::HalfSpace<double>(), pose_of_plane); },
       posed.set);
   // Sets without an interior have a separation all the same.
   if (result.status == dgd::Status::kInvalidInput) return Fallback::kInvalid;
-
-  const double contact_distance = ContactDistance(options, manifold_.BreakingThreshold(), output);
-  const btCollisionObject &body = *convex.getCollisionObject(), &ground = *plane.getCollisionObject();
-  const PairMotion motion = speculative_ && MeetsEarly(manifold_, body, ground)
-                                ? PairMotion(BodyReach(body), BodyReach(ground), double(info.m_timeStep))
-                                : PairMotion();
+  outcome.iterations = result.iterations;
   dgd::ContactPatch<double> patch;
-  if (result.separation <= contact_distance || motion.MayApproachBy(result.separation, result.normal)) {
+  if (!is_out_of_reach(result.separation)) {
+    outcome.way = PairOutcome::Way::kSolved;
     if (options.contact_patch) {
       dgd::FacingFaces<double> facing;
       std::visit(
@@ -103,29 +130,38 @@ std::optional<Fallback> ConvexPlaneAlgorithm::FindContacts(const btCollisionObje
       patch = WitnessOnly(result);
     }
   }
-  if (PairCounters* counters = narrowphase_.pair_counters()) {
-    counters->Count(shape.getShapeType(), STATIC_PLANE_PROXYTYPE,
-                    {.way = patch.size > 0 ? PairOutcome::Way::kSolved : PairOutcome::Way::kSeparated,
-                     .iterations = result.iterations,
-                     .patch_size = patch.size});
-  }
+  outcome.patch_size = patch.size;
+  Count(outcome, convex);
   if (WantsContacts(info.m_debugDraw)) DrawContacts(patch, result, *info.m_debugDraw);
   WriteContacts(patch, result.normal, options, manifold_, output);
-  const int contacts = manifold_->getNumContacts();
-  if (contacts > 0 && KeepsContacts(options, manifold_)) {
-    // The plane's own face is what holds them.
-    const bool has_footing = contacts >= FewestOfFooting(convex, plane);
-    const Footing footing = has_footing ? FootingOn(dgd::FaceHolder::kSet2, *manifold_) : Footing();
-    if (WillRest(convex, plane, footing, motion, *manifold_)) {
-      resting_.reset(new (std::nothrow) RestingPair(convex, plane, *manifold_, footing));
-      is_resting_ = resting_ != nullptr;
-    }
-  }
+  RememberRest(convex, plane, motion);
   return std::nullopt;
 } catch (const std::bad_alloc&) {
   return Fallback::kNoMemory;  // For a hull.
 } catch (const std::exception&) {
   return Fallback::kInvalid;  // What is no shape.
+}
+
+void ConvexPlaneAlgorithm::Count(const PairOutcome& outcome, const btCollisionObjectWrapper& convex) {
+  PairCounters* counters = narrowphase_.pair_counters();
+  if (counters != nullptr) counters->Count(convex.getCollisionShape()->getShapeType(), STATIC_PLANE_PROXYTYPE, outcome);
+}
+
+void ConvexPlaneAlgorithm::RememberRest(const btCollisionObjectWrapper& convex, const btCollisionObjectWrapper& plane,
+                                        const PairMotion& motion) {
+  const int contacts = manifold_->getNumContacts();
+  if (contacts == 0 || !KeepsContacts(narrowphase_.options(), manifold_)) return;
+  // The plane's own face is what holds them.
+  const bool has_footing = contacts >= FewestOfFooting(convex, plane);
+  const Footing footing = has_footing ? FootingOn(dgd::FaceHolder::kSet2, *manifold_) : Footing();
+  if (!WillRest(convex, plane, footing, motion, *manifold_)) return;
+  const RestingPair resting(convex, plane, *manifold_, footing);
+  if (resting_ != nullptr) {
+    *resting_ = resting;
+  } else {
+    resting_.reset(new (std::nothrow) RestingPair(resting));
+  }
+  is_resting_ = resting_ != nullptr;
 }
 
 bool ConvexPlaneAlgorithm::StaysAtRest(const btCollisionObjectWrapper& convex, const btCollisionObjectWrapper& plane,
@@ -134,10 +170,7 @@ bool ConvexPlaneAlgorithm::StaysAtRest(const btCollisionObjectWrapper& convex, c
   if (!is_resting_ || WantsContacts(info.m_debugDraw) || IsAskedByApp(output)) return false;
   const bool hold_stuck = narrowphase_.options().friction_anchors;
   if (!KeepContacts(*resting_, convex, plane, hull_, nullptr, hold_stuck, *manifold_, output)) return false;
-  if (PairCounters* counters = narrowphase_.pair_counters()) {
-    counters->Count(convex.getCollisionShape()->getShapeType(), STATIC_PLANE_PROXYTYPE,
-                    {.way = PairOutcome::Way::kResting, .patch_size = manifold_->getNumContacts()});
-  }
+  Count({.way = PairOutcome::Way::kResting, .patch_size = manifold_->getNumContacts()}, convex);
   return true;
 }
 

@@ -18,6 +18,7 @@
 
 namespace dgd_bullet {
 
+class PairMotion;
 class RestingPair;
 
 class ConvexPlaneAlgorithm final : public btCollisionAlgorithm {
@@ -48,6 +49,12 @@ class ConvexPlaneAlgorithm final : public btCollisionAlgorithm {
   /// If neither has moved since the contacts were found, or both have together: brings them up to date, and true.
   bool StaysAtRest(const btCollisionObjectWrapper& convex, const btCollisionObjectWrapper& plane,
                    const btDispatcherInfo& info, btManifoldResult& output);
+
+  /// Notes what the contacts have been found for, if the pair will be nearly as it is after the step.
+  void RememberRest(const btCollisionObjectWrapper& convex, const btCollisionObjectWrapper& plane,
+                    const PairMotion& motion);
+
+  void Count(const PairOutcome& outcome, const btCollisionObjectWrapper& convex);
 
   Narrowphase& narrowphase_;
   [[no_unique_address]] PairManifold manifold_;  // What follows takes its padding.
