@@ -125,7 +125,7 @@ std::optional<Fallback> ConvexPlaneAlgorithm::FindContacts(const btCollisionObje
       const dgd::PatchSettings<double> settings =
           PatchSettingsOf(options, manifold_, contact_distance, IsAskedByApp(output));
       patch = FindPatch(result, facing, settings, motion);
-      AddRimPoint(posed, result, settings, motion, patch);
+      AddRimPoint(posed, result, facing, settings, motion, patch);
     } else {
       patch = WitnessOnly(result);
     }

@@ -7,9 +7,9 @@
 namespace dgd_bullet {
 namespace {
 
-bool HasRim(const PosedShape& shape) {
-  return std::holds_alternative<dgd::RoundedSet<dgd::Cylinder<double>>>(shape.set) ||
-         std::holds_alternative<dgd::RoundedSet<dgd::Cone<double>>>(shape.set);
+/// Whether a face has more corners than the patch will: of a disc, or a polygon nearly as round.
+bool HasRim(const dgd::SupportingFace<double>& face, const dgd::PatchSettings<double>& settings) {
+  return face.size > settings.max_points;
 }
 
 /// The point of the shape, where it is now, that will be its farthest one along a direction once it has turned; world.
@@ -31,7 +31,7 @@ double SeparationAtEnd(const dgd::ContactPoint<double>& point, const Vector3& no
   return ((is_face_of_b ? b : a).rotation * normal).dot(b.translation - a.translation);
 }
 
-/// If the bodies' motion brings it into overlap, and by more than that of bodies at rest does. A point of a rolling
+/// If the bodies' motion brings it into overlap, by more than that of bodies at rest does. A point of a rolling
 /// body comes down beside the others, too, and only touches: the way there is a curve. Bullet's solver takes it for
 /// straight, and is given the distance that ends alike; with the other it would brake what rolls.
 void AddComing(dgd::ContactPoint<double> coming, const Vector3& normal, bool is_face_of_b,
@@ -43,7 +43,7 @@ void AddComing(dgd::ContactPoint<double> coming, const Vector3& normal, bool is_
     if (!((point.on_1 - coming.on_1).squaredNorm() > spacing_sq)) return;
   }
   const double at_end = SeparationAtEnd(coming, normal, is_face_of_b, motion);
-  if (!(at_end < -settings.equal_depth)) return;
+  if (!(at_end < -settings.equal_depth && at_end < coming.separation - settings.equal_depth)) return;
   coming.separation = std::max(coming.separation, at_end + motion.Approach(coming.on_1, normal));
   coming.on_2 = coming.on_1 + coming.separation * normal;
   if (patch.size == settings.max_points) --patch.size;
@@ -78,8 +78,8 @@ void AddRimPoint(const PosedShape& shape_a, const PosedShape& shape_b, const dgd
                  const dgd::FacingFaces<double>& facing, const dgd::PatchSettings<double>& settings,
                  const PairMotion& motion, dgd::ContactPatch<double>& patch) {
   const Vector3& normal = result.normal;
-  const bool is_a = facing.is_across_2 && HasRim(shape_a);
-  if (!is_a && !(facing.is_across_1 && HasRim(shape_b))) return;
+  const bool is_a = facing.is_across_2 && HasRim(facing.face_1, settings);
+  if (!is_a && !(facing.is_across_1 && HasRim(facing.face_2, settings))) return;
   const Vector3 rim =
       is_a ? FarthestOnceTurned(shape_a, normal, motion.Turn()) : FarthestOnceTurned(shape_b, -normal, -motion.Turn());
   const std::optional<dgd::Corner<double>> corner = facing.CornerAt(facing.frame.FromWorld(rim), is_a);
@@ -89,10 +89,11 @@ void AddRimPoint(const PosedShape& shape_a, const PosedShape& shape_b, const dgd
   AddComing({on_1, on_1 + separation * normal, separation}, normal, is_a, settings, motion, patch);
 }
 
-void AddRimPoint(const PosedShape& shape, const dgd::Result<double>& result, const dgd::PatchSettings<double>& settings,
-                 const PairMotion& motion, dgd::ContactPatch<double>& patch) {
+void AddRimPoint(const PosedShape& shape, const dgd::Result<double>& result, const dgd::FacingFaces<double>& facing,
+                 const dgd::PatchSettings<double>& settings, const PairMotion& motion,
+                 dgd::ContactPatch<double>& patch) {
   const Vector3& normal = result.normal;
-  if (!HasRim(shape)) return;
+  if (!HasRim(facing.face_1, settings)) return;
   const Vector3 rim = FarthestOnceTurned(shape, normal, motion.Turn());
   const double separation = normal.dot(result.witness_2 - rim);
   AddComing({rim, rim + separation * normal, separation}, normal, true, settings, motion, patch);

@@ -17,18 +17,19 @@ void FindFacingFaces(const PosedShape& shape_a, const PosedShape& shape_b, const
 dgd::ContactPatch<double> FindPatch(const dgd::Result<double>& result, const dgd::FacingFaces<double>& facing,
                                     const dgd::PatchSettings<double>& settings, const PairMotion& motion);
 
-/// A round shape that wobbles on a face, as a spun coin does, touches it at another point of its rim in each step,
-/// centimetres on. Where only the lowest one of now is held, the rim sinks in there, is pushed out at a speed, and so
-/// on for ever. So the one that will be the deepest at the end of the step joins the patch, in the place of the last
-/// point if there are as many as may be, unless one of the others will be as deep.
+/// A cylinder that wobbles on a face, as a spun coin does, touches it at another point of its rim in each step,
+/// centimetres on; a prism of many sides alike. Where only the lowest one of now is held, the rim sinks in there, is
+/// pushed out at a speed, and so on for ever. So of a face with more corners than may be kept the one that will be the
+/// deepest at the end of the step joins the patch, if it will be in overlap, in the place of the last point if need be.
 /// @param facing  Along the result's normal, with its overlap.
 void AddRimPoint(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Result<double>& result,
                  const dgd::FacingFaces<double>& facing, const dgd::PatchSettings<double>& settings,
                  const PairMotion& motion, dgd::ContactPatch<double>& patch);
 
 /// As above, of a shape on a plane.
-void AddRimPoint(const PosedShape& shape, const dgd::Result<double>& result, const dgd::PatchSettings<double>& settings,
-                 const PairMotion& motion, dgd::ContactPatch<double>& patch);
+void AddRimPoint(const PosedShape& shape, const dgd::Result<double>& result, const dgd::FacingFaces<double>& facing,
+                 const dgd::PatchSettings<double>& settings, const PairMotion& motion,
+                 dgd::ContactPatch<double>& patch);
 
 /// The witness point alone: what Bullet's own algorithm would report.
 dgd::ContactPatch<double> WitnessOnly(const dgd::Result<double>& result);

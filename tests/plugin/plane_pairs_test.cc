@@ -217,7 +217,7 @@ TEST(PlaneLanding, Bodies_SinkInLessThanATenthAsDeepAsOnTheBuiltin) {
   EXPECT_LT(ours, 0.1 * builtin);
 }
 
-/// A cylinder or cone that wobbles on its flat side, as a spun coin does: how fast it still turns after a time, rad/s.
+/// A shape that wobbles on its flat side, as a spun coin does: how fast it still turns after a time, rad/s.
 double SpeedOfCoin(btConvexShape& coin, double height, bool on_plane) {
   TestWorld world(Route::kConfiguration);
   if (on_plane) {
@@ -240,6 +240,7 @@ TEST(WobblingCoin, ComesToRest) {
   for (const bool on_plane : {false, true}) {
     EXPECT_LT(SpeedOfCoin(cylinder, 0.3, on_plane), 0.01) << on_plane;
     EXPECT_LT(SpeedOfCoin(cone, 0.2, on_plane), 0.01) << on_plane;
+    EXPECT_LT(SpeedOfCoin(*MakePrism(32, 0.4, 0.3), 0.35, on_plane), 0.01) << on_plane;
   }
 }
 
