@@ -353,16 +353,9 @@ bool ConvexConvexAlgorithm::StaysApart(const btCollisionObjectWrapper& body_0, c
 
 void ConvexConvexAlgorithm::RememberRest(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
                                          const PairMotion& motion) {
-  if (!KeepsContacts(narrowphase_.options(), manifold_)) return;
+  if (!MayKeepContacts(narrowphase_.options(), manifold_)) return;
   const Footing footing = FootingOfContacts(body_a, body_b);
-  if (!WillRest(body_a, body_b, footing, motion, *manifold_)) return;
-  const RestingPair resting(body_a, body_b, *manifold_, footing);
-  if (resting_ != nullptr) {
-    *resting_ = resting;
-  } else {
-    resting_.reset(new (std::nothrow) RestingPair(resting));
-  }
-  is_resting_ = resting_ != nullptr;
+  is_resting_ = dgd_bullet::RememberRest(body_a, body_b, footing, motion, *manifold_, resting_);
 }
 
 void ConvexConvexAlgorithm::Recall(bool is_other_order, const Pose& pose_a, const Pose& pose_b) {

@@ -56,6 +56,16 @@ GeometryMode GeometryAgainstPlanes(const btConvexShape& shape, GeometryMode mode
   return shape.getShapeType() == BOX_SHAPE_PROXYTYPE ? GeometryMode::kSharp : mode;
 }
 
+dgd::ContactPatch<double> FindPatchOnPlane(const PosedShape& shape, const dgd::Result<double>& result,
+                                           const dgd::PatchSettings<double>& settings, const PairMotion& motion) {
+  const auto facing = std::visit(
+      [&](const auto& set) { return dgd::FindFacingFaces(set, shape.pose, dgd::HalfSpace<double>(), result); },
+      shape.set);
+  dgd::ContactPatch<double> patch = FindPatch(result, facing, settings, motion);
+  AddRimPoint(shape, result, facing, settings, motion, patch);
+  return patch;
+}
+
 }  // namespace
 
 ConvexPlaneAlgorithm::ConvexPlaneAlgorithm(const btCollisionAlgorithmConstructionInfo& info, Narrowphase& narrowphase,
@@ -117,18 +127,8 @@ std::optional<Fallback> ConvexPlaneAlgorithm::FindContacts(const btCollisionObje
   dgd::ContactPatch<double> patch;
   if (!is_out_of_reach(result.separation)) {
     outcome.way = PairOutcome::Way::kSolved;
-    if (options.contact_patch) {
-      dgd::FacingFaces<double> facing;
-      std::visit(
-          [&](const auto& set) { dgd::FindFacingFaces(set, posed.pose, dgd::HalfSpace<double>(), result, facing); },
-          posed.set);
-      const dgd::PatchSettings<double> settings =
-          PatchSettingsOf(options, manifold_, contact_distance, IsAskedByApp(output));
-      patch = FindPatch(result, facing, settings, motion);
-      AddRimPoint(posed, result, facing, settings, motion, patch);
-    } else {
-      patch = WitnessOnly(result);
-    }
+    const auto settings = PatchSettingsOf(options, manifold_, contact_distance, IsAskedByApp(output));
+    patch = options.contact_patch ? FindPatchOnPlane(posed, result, settings, motion) : WitnessOnly(result);
   }
   outcome.patch_size = patch.size;
   Count(outcome, convex);
@@ -150,18 +150,11 @@ void ConvexPlaneAlgorithm::Count(const PairOutcome& outcome, const btCollisionOb
 void ConvexPlaneAlgorithm::RememberRest(const btCollisionObjectWrapper& convex, const btCollisionObjectWrapper& plane,
                                         const PairMotion& motion) {
   const int contacts = manifold_->getNumContacts();
-  if (contacts == 0 || !KeepsContacts(narrowphase_.options(), manifold_)) return;
+  if (contacts == 0 || !MayKeepContacts(narrowphase_.options(), manifold_)) return;
   // The plane's own face is what holds them.
   const bool has_footing = contacts >= FewestOfFooting(convex, plane);
   const Footing footing = has_footing ? FootingOn(dgd::FaceHolder::kSet2, *manifold_) : Footing();
-  if (!WillRest(convex, plane, footing, motion, *manifold_)) return;
-  const RestingPair resting(convex, plane, *manifold_, footing);
-  if (resting_ != nullptr) {
-    *resting_ = resting;
-  } else {
-    resting_.reset(new (std::nothrow) RestingPair(resting));
-  }
-  is_resting_ = resting_ != nullptr;
+  is_resting_ = dgd_bullet::RememberRest(convex, plane, footing, motion, *manifold_, resting_);
 }
 
 bool ConvexPlaneAlgorithm::StaysAtRest(const btCollisionObjectWrapper& convex, const btCollisionObjectWrapper& plane,

@@ -19,6 +19,10 @@ bool MeetsEarly(const PairManifold& manifold, const btCollisionObject& object_0,
   return manifold.IsOwn() && !(btManifoldResult::calculateCombinedRestitution(&object_0, &object_1) > 0);
 }
 
+bool MayKeepContacts(const Options& options, const PairManifold& manifold) {
+  return options.keep_resting_contacts && manifold.IsOwn() && options.contact_patch && options.warm_start;
+}
+
 dgd::PatchSettings<double> PatchSettingsOf(const Options& options, const PairManifold& manifold,
                                            double contact_distance, bool is_asked) {
   const double breaking_threshold = manifold.BreakingThreshold();

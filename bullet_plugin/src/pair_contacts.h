@@ -14,6 +14,9 @@ namespace dgd_bullet {
 /// Whether contacts may meet the bodies' motion before they touch.
 bool MeetsEarly(const PairManifold& manifold, const btCollisionObject& object_0, const btCollisionObject& object_1);
 
+/// Whether contacts may be kept from step to step, so that they come from other poses than this step's.
+bool MayKeepContacts(const Options& options, const PairManifold& manifold);
+
 /// @param contact_distance  Not farther apart, there are contacts; metres.
 /// @param is_asked          By an app, for the contacts themselves.
 dgd::PatchSettings<double> PatchSettingsOf(const Options& options, const PairManifold& manifold,

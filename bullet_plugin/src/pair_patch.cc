@@ -7,9 +7,11 @@
 namespace dgd_bullet {
 namespace {
 
-/// Whether a face has more corners than the patch will: of a disc, or a polygon nearly as round.
-bool HasRim(const dgd::SupportingFace<double>& face, const dgd::PatchSettings<double>& settings) {
-  return face.size > settings.max_points;
+/// Whether another point may come to a patch: where bodies turn against each other on a face that has more corners than
+/// the patch may have, a disc or a polygon nearly as round. What rolls on its side shows no such face.
+bool MayCome(const dgd::ContactPatch<double>& patch, const dgd::SupportingFace<double>& face,
+             const dgd::PatchSettings<double>& settings, const PairMotion& motion) {
+  return patch.size > 0 && settings.max_points > 1 && face.size > settings.max_points && !motion.Turn().isZero(0);
 }
 
 /// The point of the shape, where it is now, that will be its farthest one along a direction once it has turned; world.
@@ -23,29 +25,15 @@ Vector3 FarthestOnceTurned(const PosedShape& shape, const Vector3& direction, co
       shape.set);
 }
 
-/// Of two points, one of each body, along a normal that turns with the one whose face it is; metres.
-double SeparationAtEnd(const dgd::ContactPoint<double>& point, const Vector3& normal, bool is_face_of_b,
-                       const PairMotion& motion) {
-  const Pose a = motion.MotionOfA({Matrix3::Identity(), point.on_1}).At(1);
-  const Pose b = motion.MotionOfB({Matrix3::Identity(), point.on_2}).At(1);
-  return ((is_face_of_b ? b : a).rotation * normal).dot(b.translation - a.translation);
-}
-
-/// If the bodies' motion brings it into overlap, by more than that of bodies at rest does. A point of a rolling
-/// body comes down beside the others, too, and only touches: the way there is a curve. Bullet's solver takes it for
-/// straight, and is given the distance that ends alike; with the other it would brake what rolls.
-void AddComing(dgd::ContactPoint<double> coming, const Vector3& normal, bool is_face_of_b,
+/// If it will be in overlap at the end of the step, or deeper, by more than bodies at rest move.
+void AddComing(const dgd::ContactPoint<double>& coming, const Vector3& normal,
                const dgd::PatchSettings<double>& settings, const PairMotion& motion, dgd::ContactPatch<double>& patch) {
-  if (patch.size == 0 || settings.max_points == 1) return;
+  if (!(motion.Approach(coming.on_1, normal) > std::max(coming.separation, 0.0) + settings.equal_depth)) return;
   const double spacing_sq = settings.spacing * settings.spacing;
   for (int i = 0; i < patch.size; ++i) {
     const dgd::ContactPoint<double>& point = patch.points[static_cast<std::size_t>(i)];
     if (!((point.on_1 - coming.on_1).squaredNorm() > spacing_sq)) return;
   }
-  const double at_end = SeparationAtEnd(coming, normal, is_face_of_b, motion);
-  if (!(at_end < -settings.equal_depth && at_end < coming.separation - settings.equal_depth)) return;
-  coming.separation = std::max(coming.separation, at_end + motion.Approach(coming.on_1, normal));
-  coming.on_2 = coming.on_1 + coming.separation * normal;
   if (patch.size == settings.max_points) --patch.size;
   patch.points[static_cast<std::size_t>(patch.size++)] = coming;
 }
@@ -78,25 +66,25 @@ void AddRimPoint(const PosedShape& shape_a, const PosedShape& shape_b, const dgd
                  const dgd::FacingFaces<double>& facing, const dgd::PatchSettings<double>& settings,
                  const PairMotion& motion, dgd::ContactPatch<double>& patch) {
   const Vector3& normal = result.normal;
-  const bool is_a = facing.is_across_2 && HasRim(facing.face_1, settings);
-  if (!is_a && !(facing.is_across_1 && HasRim(facing.face_2, settings))) return;
+  const bool is_a = facing.is_across_2 && MayCome(patch, facing.face_1, settings, motion);
+  if (!is_a && !(facing.is_across_1 && MayCome(patch, facing.face_2, settings, motion))) return;
   const Vector3 rim =
       is_a ? FarthestOnceTurned(shape_a, normal, motion.Turn()) : FarthestOnceTurned(shape_b, -normal, -motion.Turn());
   const std::optional<dgd::Corner<double>> corner = facing.CornerAt(facing.frame.FromWorld(rim), is_a);
   if (!corner) return;
   const double separation = corner->Separation();
   const Vector3 on_1 = is_a ? rim : Vector3(rim - separation * normal);
-  AddComing({on_1, on_1 + separation * normal, separation}, normal, is_a, settings, motion, patch);
+  AddComing({on_1, on_1 + separation * normal, separation}, normal, settings, motion, patch);
 }
 
 void AddRimPoint(const PosedShape& shape, const dgd::Result<double>& result, const dgd::FacingFaces<double>& facing,
                  const dgd::PatchSettings<double>& settings, const PairMotion& motion,
                  dgd::ContactPatch<double>& patch) {
   const Vector3& normal = result.normal;
-  if (!HasRim(facing.face_1, settings)) return;
+  if (!MayCome(patch, facing.face_1, settings, motion)) return;
   const Vector3 rim = FarthestOnceTurned(shape, normal, motion.Turn());
   const double separation = normal.dot(result.witness_2 - rim);
-  AddComing({rim, rim + separation * normal, separation}, normal, true, settings, motion, patch);
+  AddComing({rim, rim + separation * normal, separation}, normal, settings, motion, patch);
 }
 
 dgd::ContactPatch<double> WitnessOnly(const dgd::Result<double>& result) {

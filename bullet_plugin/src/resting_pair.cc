@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 
 #include "contact_materials.h"
 #include "friction_anchors.h"
@@ -44,7 +45,8 @@ btVector3 SizeOf(const btCollisionShape& shape, int type) {
   }
 }
 
-btScalar MarginOf(const btCollisionShape& shape, int type) {
+/// How far the surface is from what the size says.
+btScalar OffsetOf(const btCollisionShape& shape, int type) {
   // A plane's own is not looked at.
   return type == STATIC_PLANE_PROXYTYPE ? static_cast<const btStaticPlaneShape&>(shape).getPlaneConstant()
                                         : shape.getMargin();
@@ -224,27 +226,31 @@ RestingPair::Side RestingPair::SideOf(const btCollisionObjectWrapper& body) {
   const int type = shape.getShapeType();
   const btTransform& pose = body.getWorldTransform();
   const auto reach = btScalar(Reach(*body.getCollisionObject(), pose.getOrigin()));
-  return {&shape, type, AxisOf(shape, type), SizeOf(shape, type), MarginOf(shape, type), reach, pose};
+  return {&shape, type, AxisOf(shape, type), SizeOf(shape, type), OffsetOf(shape, type), reach, pose};
 }
 
 bool RestingPair::IsSameShape(const Side& then, const btCollisionObjectWrapper& body, const Hull& hull) {
   const btCollisionShape* shape = body.getCollisionShape();
   if (shape != then.shape) return false;
   const int type = shape->getShapeType();
-  if (type != then.type || MarginOf(*shape, type) != then.margin) return false;
+  if (type != then.type || OffsetOf(*shape, type) != then.offset) return false;
   if (IsHullOfPoints(type)) return hull != nullptr && hull->Matches(static_cast<const btConvexShape&>(*shape));
   return AxisOf(*shape, type) == then.axis && SizeOf(*shape, type) == then.size;
 }
 
-bool KeepsContacts(const Options& options, const PairManifold& manifold) {
-  return options.keep_resting_contacts && manifold.IsOwn() && options.contact_patch && options.warm_start;
-}
-
-bool WillRest(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b, const Footing& footing,
-              const PairMotion& motion, const btPersistentManifold& manifold) {
+bool RememberRest(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
+                  const Footing& footing, const PairMotion& motion, const btPersistentManifold& manifold,
+                  std::unique_ptr<RestingPair>& resting) {
   const auto breaking_threshold = double(manifold.getContactBreakingThreshold());
-  return (motion.IsWithin(RestingDistance(breaking_threshold)) || Lasts(footing, motion, manifold)) &&
-         RestingPair::CanTell(body_a, body_b, breaking_threshold, footing);
+  if (!motion.IsWithin(RestingDistance(breaking_threshold)) && !Lasts(footing, motion, manifold)) return false;
+  if (!RestingPair::CanTell(body_a, body_b, breaking_threshold, footing)) return false;
+  const RestingPair now(body_a, body_b, manifold, footing);
+  if (resting != nullptr) {
+    *resting = now;
+  } else {
+    resting.reset(new (std::nothrow) RestingPair(now));
+  }
+  return resting != nullptr;
 }
 
 bool KeepContacts(RestingPair& resting, const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,

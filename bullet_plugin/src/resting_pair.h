@@ -20,9 +20,7 @@
 #include <memory>
 
 #include "dgd/held_face.h"
-#include "dgd_bullet/options.h"
 #include "hull_cache.h"
-#include "pair_manifold.h"
 
 class btCollisionShape;
 class btManifoldResult;
@@ -92,7 +90,7 @@ class RestingPair {
     int type;
     int axis;  // Another shape of the same size may have taken the address.
     btVector3 size;
-    btScalar margin;  // Of a plane, its constant.
+    btScalar offset;  // The margin; of a plane, its constant.
     btScalar reach;   // From the pose's origin to the body's farthest point.
     btTransform pose;
   };
@@ -109,14 +107,15 @@ class RestingPair {
   int contacts_;
 };
 
-/// Whether contacts are kept at all, which come from other steps' poses then.
-bool KeepsContacts(const Options& options, const PairManifold& manifold);
-
-/// Whether a pair whose contacts have just been found will be nearly as it is after the step.
-bool WillRest(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b, const Footing& footing,
-              const PairMotion& motion, const btPersistentManifold& manifold);
+/// Notes a pair whose contacts have just been found, if it will be nearly as it is after the step.
+/// @param resting  Made if there is none; without memory, there is none.
+/// @return whether it is noted.
+bool RememberRest(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
+                  const Footing& footing, const PairMotion& motion, const btPersistentManifold& manifold,
+                  std::unique_ptr<RestingPair>& resting);
 
 /// Brings the contacts of a pair up to date if it is as it was: distances, and what the bodies' materials make of them.
+/// @param hold_stuck  Options::friction_anchors.
 /// @return whether it is.
 bool KeepContacts(RestingPair& resting, const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
                   const RestingPair::Hull& hull_a, const RestingPair::Hull& hull_b, bool hold_stuck,

@@ -102,8 +102,7 @@ TEST(HalfSpacePatch, Box_ShowsAllCornersOfItsFace) {
     const Eigen::Matrix3d turn = slope.rotation * Eigen::AngleAxisd(tilt, Vector3d::UnitY()).toRotationMatrix();
     const dgd::Pose<double> pose{turn, slope * Vector3d(7, 8, 0.399)};
     const auto result = dgd::GrowthDistance(box, pose, kGround, slope);
-    dgd::FacingFaces<double> facing;
-    dgd::FindFacingFaces(box, pose, kGround, result, facing);
+    const auto facing = dgd::FindFacingFaces(box, pose, kGround, result);
     return dgd::FindContactPatch(result, facing, {.contact_distance = 0.02, .spacing = 0.01}, never);
   };
   const auto flat = patch_of(0);

@@ -110,6 +110,7 @@ TEST_P(PlanePairs, EveryType_DeepestContactIsTheLowestPointAndAllAreExact) {
           EXPECT_GT(truth, threshold);
           continue;
         }
+        EXPECT_LE(truth, threshold + 0.05);  // And the breaking threshold.
         EXPECT_LE(contacts.size(), 4u);
         EXPECT_NEAR(Deepest(contacts).depth, truth, 4 * kLength);
         for (const Contact& contact : contacts) {
@@ -168,7 +169,7 @@ TEST_P(PlanePairs, BoxAtRest_KeepsItsContactsUntilThePlaneIsAnother) {
   EXPECT_TRUE(world_.Points().empty());
 }
 
-// In either precision and order of the bodies, children's transforms are theirs.
+// Each child stands where its own transform puts it.
 TEST_P(PlanePairs, CompoundOnPlane_StandsOnItsChildren) {
   btStaticPlaneShape plane(Vec(0, 0, 1), 0);
   btBoxShape leg(Vec(0.1, 0.1, 0.5));
@@ -233,7 +234,7 @@ double SpeedOfCoin(btConvexShape& coin, double height, bool on_plane) {
   return double(body.getAngularVelocity().length());
 }
 
-// With the rim's lowest point of now alone they wobble at a radian a second for minutes, on either ground.
+// With the rim's lowest point of now alone they still turn at a radian a second after twenty, on either ground.
 TEST(WobblingCoin, ComesToRest) {
   btCylinderShapeZ cylinder(Vec(0.4, 0.4, 0.3));
   btConeShapeZ cone(btScalar(0.4), btScalar(0.4));
@@ -244,7 +245,7 @@ TEST(WobblingCoin, ComesToRest) {
   }
 }
 
-// A point that comes down beside the others is no reason to brake: it does so in all that rolls.
+// What comes down beside the line that a cylinder rolls on only touches, and is no rim: held early, it would brake.
 TEST(RollingCylinder, KeepsItsSpeed) {
   btCylinderShapeZ cylinder(Vec(0.4, 0.4, 0.3));
   const Eigen::Matrix3d on_its_side = Eigen::AngleAxisd(std::numbers::pi / 2, Vector::UnitX()).toRotationMatrix();

@@ -61,7 +61,8 @@ struct Options {
   /// In a dynamics world, also hand over points that are still farther apart than the contact distance if the bodies'
   /// velocities make them touch within the time step: fast impacts are then met, not found when the bodies already
   /// overlap. Needs contact_patch. Bodies that rebound (combined restitution above 0) are not met early, so that they
-  /// rebound as high as with Bullet; contactTest() and its like never see such points.
+  /// rebound as high as with Bullet; contactTest() and its like never see such points. A coin that wobbles on its rim
+  /// is met where that will touch, and lies after seconds; without, as with Bullet, it wobbles on.
   bool speculative_contacts = true;
 
   /// Contacts of faces that stick are held where they stuck: Bullet's solver takes back what they have slipped by

@@ -274,7 +274,7 @@ struct FacingFaces {
 
   /// The corner over a point of one set's surface and the face of the other that is across the normal; nothing beside
   /// that face, or if it is not across.
-  /// @param point  In the frame, of set 1 if `is_of_1`.
+  /// @param point  Of set 1 if `is_of_1`, else of set 2; in the frame, metres.
   std::optional<Corner<S>> CornerAt(const Vector3<S>& point, bool is_of_1) const {
     using namespace facing_faces_internal;
     if (!(is_of_1 ? is_across_2 : is_across_1)) return std::nullopt;

@@ -9,20 +9,23 @@
 
 namespace dgd {
 
-/// The faces of set 1 and a half-space as set 2 along a result's normal, as FindContactPatch() takes them. The
-/// half-space's own has no corners: `overlap` is all of the set's face.
+/// What a set shows a half-space as set 2 along a result's normal, as FindContactPatch() takes it: its face there, all
+/// of which the border overlaps. The border itself has no corners, so `face_2` is empty. Does not allocate or throw.
 /// @param result  Of GrowthDistance() for the two; its normal, separation and witness points count. World, metres.
 template <class Set>
-requires ConvexCore<typename Set::Core>
-void FindFacingFaces(const Set& set, const Pose<typename Set::Scalar>& pose, const HalfSpace<typename Set::Scalar>&,
-                     const Result<typename Set::Scalar>& result, FacingFaces<typename Set::Scalar>& facing) {
-  facing.Clear();
+requires ConvexCore<typename Set::Core> FacingFaces<typename Set::Scalar> FindFacingFaces(
+    const Set& set, const Pose<typename Set::Scalar>& pose, const HalfSpace<typename Set::Scalar>&,
+    const Result<typename Set::Scalar>& result) {
+  FacingFaces<typename Set::Scalar> facing;
   facing.frame = PatchFrame<typename Set::Scalar>(result);
   FindFace(set, pose, result.normal, facing.frame, facing.face_1);
+  // The frame's origin is half way between the surfaces.
+  const typename Set::Scalar border = result.separation / 2;
   for (std::size_t i = 0; i < static_cast<std::size_t>(facing.face_1.size); ++i) {
     const auto& point = facing.face_1.points[i];
-    facing.overlap.Add({point.x(), point.y(), point.z(), result.separation / 2});
+    facing.overlap.Add({point.x(), point.y(), point.z(), border});
   }
+  return facing;
 }
 
 }  // namespace dgd
