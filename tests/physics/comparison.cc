@@ -1,0 +1,79 @@
+#include "physics/comparison.h"
+
+#include <array>
+#include <cstdio>
+
+namespace dgd_physics {
+namespace {
+
+template <class... Values>
+std::string Format(const char* format, Values... values) {
+  std::array<char, 512> text;
+  std::snprintf(text.data(), text.size(), format, values...);
+  return text.data();
+}
+
+std::string Name(const Comparison& comparison) { return std::string(comparison.experiment->name); }
+
+}  // namespace
+
+Comparison Compare(const Experiment& experiment, double rate, bool is_quick) {
+  Comparison comparison{&experiment, rate, {}, {}};
+  comparison.builtin = experiment.measure({Narrowphase::kBuiltin, rate, is_quick});
+  comparison.ours = experiment.measure({Narrowphase::kOurs, rate, is_quick});
+  return comparison;
+}
+
+std::string FormatHeading(const std::vector<double>& rates) {
+  std::string rate_line = Format("%-22s", ""), column_line = Format("%-16s%6s", "class", "cases");
+  for (const double rate : rates) {
+    rate_line += Format(" | %8g Hz%14s", rate, "");
+    column_line += Format(" |%10s%10s%5s", "built-in", "ours", "");
+  }
+  return rate_line + "\n" + column_line + "\n";
+}
+
+std::string FormatRow(const std::vector<Comparison>& comparisons) {
+  std::string row = Format("%-16s%6zu", Name(comparisons.front()).c_str(), comparisons.front().ours.size());
+  for (const Comparison& comparison : comparisons) {
+    row += Format(" |%10.2g%10.2g%5s", comparison.BuiltinError(), comparison.OurError(),
+                  comparison.Passes() ? "" : "FAIL");
+  }
+  return row + "\n";
+}
+
+std::string FormatCases(const Comparison& comparison) {
+  std::string text = Format("%s at %g Hz: %92s%11s%11s%9s%9s\n", Name(comparison).c_str(), comparison.rate, "built-in",
+                            "ours", "theory", "error", "error");
+  for (std::size_t i = 0; i < comparison.ours.size(); ++i) {
+    const Sample &builtin = comparison.builtin[i], &ours = comparison.ours[i];
+    text += Format("  %-90s%11.4g%11.4g%11.4g%9.2g%9.2g\n", ours.name.c_str(), builtin.measured, ours.measured,
+                   ours.theory, RelativeError(builtin), RelativeError(ours));
+  }
+  return text;
+}
+
+std::string FormatFailures(const std::vector<Comparison>& comparisons) {
+  std::string text;
+  for (const Comparison& comparison : comparisons) {
+    if (comparison.Passes()) continue;
+    text += Format("fails: %s at %g Hz: %.3g, bound %.3g\n", Name(comparison).c_str(), comparison.rate,
+                   comparison.OurError(), comparison.Bound());
+  }
+  return text;
+}
+
+std::string FormatCsv(const std::vector<Comparison>& comparisons, const std::string& precision) {
+  std::string text = "precision,class,rate_hz,case,builtin,ours,theory,scale,builtin_error,our_error\n";
+  for (const Comparison& comparison : comparisons) {
+    for (std::size_t i = 0; i < comparison.ours.size(); ++i) {
+      const Sample &builtin = comparison.builtin[i], &ours = comparison.ours[i];
+      text += Format("%s,%s,%g,\"%s\",%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", precision.c_str(),
+                     Name(comparison).c_str(), comparison.rate, ours.name.c_str(), builtin.measured, ours.measured,
+                     ours.theory, ours.scale, RelativeError(builtin), RelativeError(ours));
+    }
+  }
+  return text;
+}
+
+}  // namespace dgd_physics

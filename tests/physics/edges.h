@@ -1,0 +1,13 @@
+// Inner edges that bodies slide over, and outer edges that they stand and turn on.
+#pragma once
+
+#include "physics/experiment.h"
+
+namespace dgd_physics {
+
+Samples MeasureBoxSeams(const Conditions& conditions);
+Samples MeasureMeshSeams(const Conditions& conditions);
+Samples MeasureTip(const Conditions& conditions);
+Samples MeasureRocking(const Conditions& conditions);
+
+}  // namespace dgd_physics

@@ -1,0 +1,41 @@
+// The table of experiments: it drives the command line, --help, the output and the tests.
+#include "physics/edges.h"
+#include "physics/experiment.h"
+#include "physics/friction.h"
+#include "physics/moving_support.h"
+#include "physics/near_miss.h"
+#include "physics/restitution.h"
+#include "physics/spinning.h"
+
+namespace dgd_physics {
+
+const std::vector<Experiment>& Experiments() {
+  constexpr bool kRestitution = true;
+  static const std::vector<Experiment> experiments = {
+      {"head_on", "two bodies head on: speed at which they part, against e times that at which they met", MeasureHeadOn,
+       kRestitution},
+      {"gas", "elastic balls in a box: kinetic energy kept", MeasureGas, kRestitution},
+      {"bounce", "dropped bodies: height of the rebound, against e^2 h", MeasureBounce, kRestitution},
+      {"oblique_bounce", "balls against a wall at 20 to 70 degrees: speed along it and away from it",
+       MeasureObliqueBounce, kRestitution},
+      {"cradle", "Newton's cradle: velocities against the first ball's; in touch: momentum and energy", MeasureCradle,
+       kRestitution},
+      {"slide", "a body set off once: way, against v^2 / (2 mu g)", MeasureSlide},
+      {"swing_force", "a box under a swinging force of 1.5 mu m g: farthest and last way, against the integrated one",
+       MeasureSwingForce},
+      {"taps", "20 taps on a body at rest: way, against the sum of v^2 / (2 mu g)", MeasureTaps},
+      {"belt", "a body on a belt that moves without moving: its speed, against the belt's", MeasureBelt},
+      {"teleport", "a support put aside without a velocity: share of its way that the load is dragged",
+       MeasureTeleport},
+      {"incline", "slopes: creep in 5 s below the friction angle, in cm; above it speed, against g (sin - mu cos) t",
+       MeasureIncline},
+      {"euler_disc", "a disc that precesses in place: energy kept in 5 s", MeasureEulerDisc},
+      {"near_rod", "a rod that spins half a millimetre clear of another: spin kept", MeasureNearRod},
+      {"box_seams", "a box without friction over flush boxes: speed kept", MeasureBoxSeams},
+      {"mesh_seams", "bodies without friction over flat meshes and heightfields: speed kept", MeasureMeshSeams},
+      {"tip", "boxes that tip: force, slope, and share of wrong falls from a ledge", MeasureTip},
+  };
+  return experiments;
+}
+
+}  // namespace dgd_physics

@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "physics/edges.h"
+#include "physics/lab.h"
+
+namespace dgd_physics {
+namespace {
+
+constexpr double kSettleTime = 0.5;  // s
+
+/// A box that stands on ground and does not slide; it is turned so that it tips over the edge towards the heading.
+struct Standing {
+  double half_width, half_height;  // m
+  double mass;                     // kg
+  Ground ground;
+  int index;
+
+  double Heading() const { return HeadingOf(index); }
+  std::string Name() const {
+    return "box " + Text(2 * half_width) + " x " + Text(2 * half_height) + " m on " + NameOf(ground);
+  }
+  /// About the edge, kg m^2.
+  double EdgeInertia() const { return mass * 4 / 3 * (half_width * half_width + half_height * half_height); }
+};
+
+std::vector<Standing> StandingCases() {
+  constexpr std::array<std::array<double, 2>, 4> kHalves = {{{0.1, 0.3}, {0.25, 0.3}, {0.2, 0.8}, {0.5, 0.75}}};
+  constexpr std::array<double, 3> kMasses = {1, 30, 0.3};
+  std::vector<Standing> cases;
+  for (const Ground ground : {Ground::kPlane, Ground::kBox, Ground::kMesh}) {
+    for (const auto& [half_width, half_height] : kHalves) {
+      const std::size_t i = cases.size();
+      cases.push_back({half_width, half_height, kMasses[i % 3], ground, static_cast<int>(i + i / 4)});
+    }
+  }
+  return cases;
+}
+
+constexpr Surface kRough = {.friction = 2, .restitution = 0};
+
+btRigidBody& AddStanding(Lab& lab, const Standing& it) {
+  auto& shape = lab.Make<btBoxShape>(Vec(it.half_width, 0.8 * it.half_width, it.half_height));
+  return lab.AddBody(shape, it.mass, At(Vec(0.23, 0.31, it.half_height), Yaw(it.Heading())), kRough);
+}
+
+/// A load that grows from 0 to `most` within kRampTime; how much of it there is when the box has turned by
+/// kTippedAngle.
+constexpr double kRampTime = 4;         // s
+constexpr double kTippedAngle = 0.005;  // rad
+
+/// The same for a rigid box that turns about a fixed edge, from rest, as soon as the moment is positive.
+/// @param moment  double(double load, double angle): about the edge, N m.
+double TippingLoad(double inertia, double most, const std::function<double(double, double)>& moment) {
+  constexpr double kStep = 1e-5;  // s
+  double angle = 0, velocity = 0, load = 0;
+  for (double time = 0; angle < kTippedAngle && load < most; time += kStep) {
+    load = most * time / kRampTime;
+    velocity = std::max(0.0, velocity + moment(load, angle) / inertia * kStep);
+    angle += velocity * kStep;
+  }
+  return load;
+}
+
+/// @param apply  Puts a load on the box or its world for the next step.
+double MeasureTippingLoad(Lab& lab, const btRigidBody& body, double most, const std::function<void(double)>& apply) {
+  lab.Run(kSettleTime);
+  for (double time = 0; time < kRampTime; time += lab.dt()) {
+    apply(most * (time + 0.5 * lab.dt()) / kRampTime);
+    lab.Step();
+    if (TiltOf(body) >= kTippedAngle) return most * (time + lab.dt()) / kRampTime;
+  }
+  return most;
+}
+
+/// A horizontal force at some height tips a box at m g b / (2 h), for its width b.
+Sample MeasureForceTip(const Conditions& conditions, const Standing& it) {
+  const double height = it.half_height * (1.3 + 0.6 * PhaseOf(it.index));
+  const double weight = it.mass * kGravity, threshold = weight * it.half_width / height;
+  const double most = 1.3 * threshold;
+  const double theory = TippingLoad(it.EdgeInertia(), most, [&](double force, double angle) {
+    return force * height - weight * (it.half_width - it.half_height * angle);
+  });
+  Lab lab(conditions);
+  lab.AddGround(it.ground);
+  btRigidBody& body = AddStanding(lab, it);
+  const double measured = MeasureTippingLoad(lab, body, most, [&](double force) {
+    body.applyForce(Direction(it.Heading()) * btScalar(force), Vec(0, 0, height - it.half_height));
+  });
+  return RelativeToTheory(it.Name() + ", pushed at " + Text(height) + " m: N", measured, theory);
+}
+
+/// A slope that gets steeper tips a box when its tangent is width over height. The slope is gravity's.
+Sample MeasureSlopeTip(const Conditions& conditions, const Standing& it) {
+  const double weight = it.mass * kGravity, most = 1.3 * std::atan(it.half_width / it.half_height);
+  const double theory = TippingLoad(it.EdgeInertia(), most, [&](double slope, double angle) {
+    return weight * (std::sin(slope + angle) * it.half_height - std::cos(slope + angle) * it.half_width);
+  });
+  Lab lab(conditions);
+  lab.AddGround(it.ground);
+  btRigidBody& body = AddStanding(lab, it);
+  const double measured = MeasureTippingLoad(lab, body, most, [&](double slope) {
+    body.setGravity(Direction(it.Heading()) * btScalar(kGravity * std::sin(slope)) -
+                    Vec(0, 0, kGravity * std::cos(slope)));
+    body.clearForces();
+    body.applyGravity();
+  });
+  return RelativeToTheory(it.Name() + ", on a slope: rad", measured, theory);
+}
+
+/// Whether a box on a ledge falls whose centre is so far outside of the edge.
+bool FallsFromLedge(const Conditions& conditions, const Standing& it, double outside) {
+  constexpr double kDuration = 3;   // s
+  constexpr double kFallen = 0.02;  // m
+  const Grid grid = {.cells = 8, .pitch = 0.5};
+  const double edge = 0.5 * grid.cells * grid.pitch;
+  Lab lab(conditions);
+  const btTransform frame = At(Vec(0, 0, 0), Yaw(it.Heading()));
+  lab.AddGround(it.ground, frame, grid);
+  auto& shape = lab.Make<btBoxShape>(Vec(it.half_width, 0.8 * it.half_width, it.half_height));
+  btRigidBody& body = lab.AddBody(shape, it.mass, frame * At(Vec(edge + outside, 0.13, it.half_height)), kRough);
+  lab.Run(kDuration);
+  return HeightOf(body) < it.half_height - kFallen;
+}
+
+/// Share of boxes that fall though their centre is over the ledge, or stay though it is not.
+Sample MeasureLedge(const Conditions& conditions, const Standing& it) {
+  const std::vector<double> all = {0.005, 0.01, 0.02, 0.04};  // m
+  const std::vector<double> offsets = SelectCases(conditions, all, 2);
+  int wrong = 0;
+  for (const double offset : offsets) {
+    if (FallsFromLedge(conditions, it, -offset)) ++wrong;
+    if (!FallsFromLedge(conditions, it, offset)) ++wrong;
+  }
+  return {it.Name() + ", over its edge: wrong falls", wrong / (2.0 * double(offsets.size())), 0, 1};
+}
+
+}  // namespace
+
+Samples MeasureTip(const Conditions& conditions) {
+  Samples samples;
+  for (const Standing& it : SelectCases(conditions, StandingCases(), 5)) {
+    samples.push_back(MeasureForceTip(conditions, it));
+    samples.push_back(MeasureSlopeTip(conditions, it));
+    if (it.ground != Ground::kPlane) samples.push_back(MeasureLedge(conditions, it));
+  }
+  return samples;
+}
+
+}  // namespace dgd_physics
