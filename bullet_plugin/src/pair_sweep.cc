@@ -19,7 +19,10 @@ dgd::TimeOfImpactResult<double> SweepPair(const PosedShape& shape_a, const Motio
     moved_a.pose = pose_a;
     moved_b.pose = pose_b;
     dgd::Result<double> plane = SolvePair(moved_a, moved_b, for_planes, warm_start);
-    if (dgd::IsUndecided(plane)) TurnToLeastTranslation(moved_a, moved_b, for_planes, warm_start, plane);
+    const bool is_overlap_judged = settings.allowed_overlap > 0 && !(plane.separation > 0);
+    if (is_overlap_judged || dgd::IsUndecided(plane)) {
+      TurnToLeastTranslation(moved_a, moved_b, for_planes, warm_start, plane);
+    }
     return plane;
   };
   // Planes are swept along one set at a time, most often twice: through a function pointer, this is compiled once and

@@ -196,6 +196,19 @@ bool IsOver(const ProjectedFace<S>& polygon, S x, S y) {
   return true;
 }
 
+/// Whether a point seen along the normal is in a polygon, at least `inset` from each of its edges.
+template <class S>
+bool IsInsideBy(const SupportingFace<S>& face, S x, S y, S inset) {
+  const S orientation = face.Area().z() > 0 ? S(1) : S(-1);
+  const auto size = static_cast<std::size_t>(face.size);
+  for (std::size_t i = 0; i < size; ++i) {
+    const Vector3<S>&a = face.points[i], &b = face.points[i + 1 < size ? i + 1 : 0];
+    const S dx = b.x() - a.x(), dy = b.y() - a.y();
+    if (!(orientation * (dx * (y - a.y()) - dy * (x - a.x())) >= inset * std::hypot(dx, dy))) return false;
+  }
+  return true;
+}
+
 /// The common part of two nearly parallel segments: its two ends, half way between the surfaces there.
 template <class S>
 void OverlapSegments(const SupportingFace<S>& segment_1, const SupportingFace<S>& segment_2, CornerList<S>& overlap) {
@@ -270,6 +283,19 @@ struct FacingFaces {
       if (nearest == nullptr || overlap[i].Separation() < nearest->Separation()) nearest = &overlap[i];
     }
     return nearest;
+  }
+
+  /// Whether the middle of the overlap is at least `inset` (metres, across the normal) from the border of a face that
+  /// is across the normal: sets that move past each other by less still face each other there.
+  bool IsInset(S inset) const {
+    if (overlap.size == 0) return false;
+    S x = 0, y = 0;
+    for (int i = 0; i < overlap.size; ++i) {
+      x += overlap[i].x / S(overlap.size);
+      y += overlap[i].y / S(overlap.size);
+    }
+    return (is_across_1 && facing_faces_internal::IsInsideBy(face_1, x, y, inset)) ||
+           (is_across_2 && facing_faces_internal::IsInsideBy(face_2, x, y, inset));
   }
 
   /// The corner over a point of one set's surface and the face of the other that is across the normal; nothing beside
