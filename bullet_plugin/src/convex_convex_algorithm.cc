@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "asked_by_app.h"
-#include "contact_distance.h"
 #include "contact_drawer.h"
 #include "dgd_bullet/recorder.h"
 #include "manifold_writer.h"
@@ -88,8 +87,8 @@ bool IsSlow(const btCollisionObject& body) {
 }  // namespace
 
 ConvexConvexAlgorithm::ConvexConvexAlgorithm(const btCollisionAlgorithmConstructionInfo& info, Narrowphase& narrowphase,
-                                             bool speculative)
-    : btCollisionAlgorithm(info), narrowphase_(narrowphase), manifold_(info.m_manifold), speculative_(speculative) {}
+                                             bool is_for_step)
+    : btCollisionAlgorithm(info), narrowphase_(narrowphase), manifold_(info.m_manifold), is_for_step_(is_for_step) {}
 
 ConvexConvexAlgorithm::~ConvexConvexAlgorithm() {
   if (manifold_.IsOwn()) manifold_.GiveBack(*m_dispatcher);
@@ -187,15 +186,16 @@ struct ConvexConvexAlgorithm::Query {
 
   PosedShape shape_a, shape_b;
   PairMotion motion;
-  double breaking_threshold = 0;  // Of the manifold, metres.
-  double contact_distance = 0;    // Not farther apart, there are contacts; metres.
-  bool is_asked = false;          // By an app, for the contacts themselves.
-  bool wants_least = false;       // The normal of least translation.
+  ContactRange range;
+  dgd::PatchSettings<double> patch_settings;
+  bool is_asked = false;     // By an app, for the contacts themselves.
+  bool wants_least = false;  // The normal of least translation.
   dgd::Settings<double> settings;
 
   // The answer.
   dgd::Result<double> result;
   bool has_growth_distance = false;  // Else the signed distance, or a plane between the shapes.
+  bool is_turned = false;            // The growth distance's normal, to that of least translation.
   bool has_facing = false;           // As what proved the signed distance.
   dgd::FacingFaces<double> facing;   // Along the result's normal.
 };
@@ -215,17 +215,15 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObj
   Query query(narrowphase_, *body_0, hull_0_, *body_1, hull_1_);
   Recall(is_other_order, query.shape_a.pose, query.shape_b.pose);
   const btCollisionObject &object_a = *body_0->getCollisionObject(), &object_b = *body_1->getCollisionObject();
-  if (speculative_ && MeetsEarly(manifold_, object_a, object_b)) {
-    query.motion = {BodyReach(object_a), BodyReach(object_b), double(info.m_timeStep)};
-  }
-  query.breaking_threshold = manifold_.BreakingThreshold();
-  query.contact_distance = ContactDistance(options, query.breaking_threshold, output);
+  if (is_for_step_) query.motion = MotionOfStep(manifold_, BodyReach(object_a), BodyReach(object_b), info);
+  query.range = RangeOfContacts(options, manifold_, query.motion, had_contact_, output);
   query.is_asked = IsAskedByApp(output);
+  query.patch_settings = PatchSettingsOf(options, manifold_, query.range, query.motion, query.is_asked, output);
   query.wants_least = options.normal_mode == NormalMode::kLeastTranslation;
   query.settings.relative_tolerance =
       query.is_asked ? std::min(kExact, options.relative_tolerance) : options.relative_tolerance;
   query.settings.max_iterations = options.max_iterations;
-  query.settings.separation_limit = std::max(query.contact_distance, query.motion.MaxApproach());
+  query.settings.separation_limit = SeparationLimit(query.range, query.motion);
 
   FindNormal(query);
   dgd::Result<double>& result = query.result;
@@ -243,7 +241,7 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObj
     if (!had_contact_) return Fallback::kNoMemory;
     manifold_.ShowTo(output);
   }
-  WriteContacts(patch, result.normal, options, manifold_, output);
+  WriteContacts(patch, result.normal, is_swapped ? query.motion.Reversed() : query.motion, options, manifold_, output);
   // Bodies that do not touch may be given a speed that makes them.
   if (had_contact_) RememberRest(*body_0, *body_1, query.motion);
   return std::nullopt;
@@ -286,26 +284,56 @@ void ConvexConvexAlgorithm::FindNormal(Query& query) {
 dgd::ContactPatch<double> ConvexConvexAlgorithm::FindContactPatch(Query& query) {
   dgd::Result<double>& result = query.result;
   if (result.status == dgd::Status::kSeparated) return {};
-  if (!(result.separation <= query.contact_distance)) {
-    // As FindNormal() does before it asks for a growth distance, which the sweep's planes come from.
-    if (!query.has_growth_distance) MoveCentersTogether(query.shape_a, query.shape_b);
-    if (!TouchWithinStep(query.shape_a, query.shape_b, result, warm_start_, query.motion)) return {};
-  }
-  if (query.wants_least && query.has_growth_distance) {
-    if (query.is_asked) query.settings.max_iterations *= kPatience;
-    may_be_apart_ = TurnToLeastTranslation(query.shape_a, query.shape_b, query.settings, warm_start_, result);
-  }
+  const Ahead ahead = result.separation > std::min(query.range.touching, 0.0) ? MeetAhead(query) : Ahead::kPatch;
+  if (ahead == Ahead::kNone) return {};
+  if (ahead == Ahead::kPatch) TurnNormal(query);
   const Options& options = narrowphase_.options();
-  if (!options.contact_patch) return WitnessOnly(result);
-  if (!query.has_facing) {
-    FindFacingFaces(query.shape_a, query.shape_b, result, options.angular_tolerance, query.facing);
-    if (query.wants_least && may_be_apart_) face_holder_ = HolderOf(query.facing);
+  if (ahead == Ahead::kPoint || !options.contact_patch) return WitnessOnly(result);
+  FindFacing(query);
+  dgd::ContactPatch<double> patch = FindPatch(result, query.facing, query.patch_settings, query.motion);
+  if (options.rim_damping) {
+    AddRimPoint(query.shape_a, query.shape_b, result, query.facing, query.patch_settings, query.motion, patch);
   }
-  const dgd::PatchSettings<double> settings =
-      PatchSettingsOf(options, manifold_, query.contact_distance, query.is_asked);
-  dgd::ContactPatch<double> patch = FindPatch(result, query.facing, settings, query.motion);
-  AddRimPoint(query.shape_a, query.shape_b, result, query.facing, settings, query.motion, patch);
   return patch;
+}
+
+void ConvexConvexAlgorithm::TurnNormal(Query& query) {
+  if (!query.wants_least || !query.has_growth_distance || std::exchange(query.is_turned, true)) return;
+  if (query.is_asked) query.settings.max_iterations *= kPatience;
+  may_be_apart_ = TurnToLeastTranslation(query.shape_a, query.shape_b, query.settings, warm_start_, query.result);
+}
+
+void ConvexConvexAlgorithm::FindFacing(Query& query) {
+  if (std::exchange(query.has_facing, true)) return;
+  FindFacingFaces(query.shape_a, query.shape_b, query.result, narrowphase_.options().angular_tolerance, query.facing);
+  if (query.wants_least && may_be_apart_) face_holder_ = HolderOf(query.facing);
+}
+
+ConvexConvexAlgorithm::Ahead ConvexConvexAlgorithm::MeetAhead(Query& query) {
+  dgd::Result<double>& result = query.result;
+  const PairMotion& motion = query.motion;
+  const bool is_touching = result.separation <= query.range.touching;
+  if (!motion.MayApproachBy(result.separation, result.normal)) return is_touching ? Ahead::kPatch : Ahead::kNone;
+  if (!is_touching && result.separation > query.range.limit) return Ahead::kNone;
+  TurnNormal(query);
+  FindFacing(query);
+  const double flush = FlushOverlap(manifold_.BreakingThreshold());
+  const Vector3 middle = (result.witness_1 + result.witness_2) / 2;
+  if (query.facing.IsInset(flush + motion.Passing(middle, result.normal))) return Ahead::kPatch;
+  // Whether they meet beside what supports them, their weight does not say.
+  const PairMotion coasting = motion.WithoutForces();
+  if (!coasting.MayApproachBy(result.separation + flush, result.normal)) {
+    return is_touching ? Ahead::kPatch : Ahead::kNone;
+  }
+  // As FindNormal() does before it asks for a growth distance, which the sweep's planes come from.
+  if (!query.has_growth_distance) MoveCentersTogether(query.shape_a, query.shape_b);
+  const std::optional<PredictedImpact> impact =
+      PredictImpact(query.shape_a, query.shape_b, result, warm_start_, coasting, flush);
+  if (!impact) return Ahead::kNone;
+  if (impact->is_along_normal) return Ahead::kPatch;
+  result = impact->contact;
+  face_holder_ = dgd::FaceHolder::kNone;
+  return Ahead::kPoint;
 }
 
 bool ConvexConvexAlgorithm::StaysAtRest(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
@@ -313,8 +341,8 @@ bool ConvexConvexAlgorithm::StaysAtRest(const btCollisionObjectWrapper& body_0, 
   // An app that asks wants to see each contact anew, as a debug drawer does.
   if (!is_resting_ || WantsContacts(info.m_debugDraw) || IsAskedByApp(output)) return false;
   const btCollisionObjectWrapper &body_a = was_swapped_ ? body_1 : body_0, &body_b = was_swapped_ ? body_0 : body_1;
-  const bool hold_stuck = narrowphase_.options().friction_anchors;
-  if (!KeepContacts(*resting_, body_a, body_b, hull_0_, hull_1_, hold_stuck, *manifold_, output)) return false;
+  const double anchor_time_step = narrowphase_.options().friction_anchors ? double(info.m_timeStep) : 0;
+  if (!KeepContacts(*resting_, body_a, body_b, hull_0_, hull_1_, anchor_time_step, *manifold_, output)) return false;
   if (PairCounters* counters = narrowphase_.pair_counters()) {
     counters->Count(ShapeOf(&body_0).getShapeType(), ShapeOf(&body_1).getShapeType(),
                     {.way = PairOutcome::Way::kResting, .patch_size = manifold_->getNumContacts()});
@@ -336,11 +364,11 @@ bool ConvexConvexAlgorithm::StaysApart(const btCollisionObjectWrapper& body_0, c
   const btVector3 normal = a.getWorldTransform().getBasis() * InBulletAxes(warm_start_.normal_1, UpAxis(ShapeOf(&a)));
   const double separation = SeparationAlong({a, reach_a}, {b, reach_b}, normal);
   // What memory is slow to bring comes last.
-  if (!(separation > ContactDistance(options, manifold_.BreakingThreshold(), output))) return false;
-  const PairMotion motion = speculative_ && MeetsEarly(manifold_, reach_a.object, reach_b.object)
-                                ? PairMotion(reach_a, reach_b, double(info.m_timeStep))
-                                : PairMotion();
-  if (motion.MayApproachBy(separation, FromBullet(normal))) return false;
+  if (!(separation > 0)) return false;
+  const PairMotion motion = is_for_step_ ? MotionOfStep(manifold_, reach_a, reach_b, info) : PairMotion();
+  const ContactRange range = RangeOfContacts(options, manifold_, motion, false, output);
+  if (!(separation > range.touching)) return false;
+  if (separation <= range.limit && motion.MayApproachBy(separation, FromBullet(normal))) return false;
   if (manifold_.IsOwn() && !manifold_.IsEmpty()) return false;  // Of an answer that was not ours.
   if (PairCounters* counters = narrowphase_.pair_counters()) {
     counters->Count(ShapeOf(&a).getShapeType(), ShapeOf(&b).getShapeType(),

@@ -29,8 +29,8 @@ struct Footing;
 
 class ConvexConvexAlgorithm : public btCollisionAlgorithm {
  public:
-  /// @param speculative  Whether points count that the bodies' motion only makes touch within the time step.
-  ConvexConvexAlgorithm(const btCollisionAlgorithmConstructionInfo& info, Narrowphase& narrowphase, bool speculative);
+  /// @param is_for_step  Whether its contacts are a step's, and may be ahead of the bodies' motion in it.
+  ConvexConvexAlgorithm(const btCollisionAlgorithmConstructionInfo& info, Narrowphase& narrowphase, bool is_for_step);
   ~ConvexConvexAlgorithm() override;
   ConvexConvexAlgorithm(const ConvexConvexAlgorithm&) = delete;
   ConvexConvexAlgorithm& operator=(const ConvexConvexAlgorithm&) = delete;
@@ -78,6 +78,17 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   /// The contacts along the normal, which turns to that of least translation where there are any and that is wanted.
   dgd::ContactPatch<double> FindContactPatch(Query& query);
 
+  /// Turns the normal to that of least translation, if it is not, and that is wanted.
+  void TurnNormal(Query& query);
+
+  /// What the shapes show each other along the normal.
+  void FindFacing(Query& query);
+
+  /// Whether bodies that are apart, or as good as that, have contacts all the same; if the motion makes them meet
+  /// elsewhere than along the normal, that is turned, and there is but one contact.
+  enum class Ahead { kNone, kPatch, kPoint };
+  Ahead MeetAhead(Query& query);
+
   /// If neither body has moved since the contacts were found, and nothing else that they come from has changed: brings
   /// them up to date, and true.
   bool StaysAtRest(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
@@ -107,7 +118,7 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   bool had_contact_ = false;                              // In the last step.
   bool was_swapped_ = false;                              // The order of the hulls below is not Bullet's.
   dgd::FaceHolder face_holder_ = dgd::FaceHolder::kNone;  // Of the last contact.
-  const bool speculative_;
+  const bool is_for_step_;
   VisitingOrder::Place place_ = 0;                     // Of the last call.
   std::unique_ptr<RestingPair> resting_;               // Once the pair has rested.
   std::shared_ptr<const CachedHull> hull_0_, hull_1_;  // In the order that the shapes are solved in (pair_order.h).

@@ -57,20 +57,21 @@ GeometryMode GeometryAgainstPlanes(const btConvexShape& shape, GeometryMode mode
 }
 
 dgd::ContactPatch<double> FindPatchOnPlane(const PosedShape& shape, const dgd::Result<double>& result,
-                                           const dgd::PatchSettings<double>& settings, const PairMotion& motion) {
+                                           const dgd::PatchSettings<double>& settings, const PairMotion& motion,
+                                           const Options& options) {
   const auto facing = std::visit(
       [&](const auto& set) { return dgd::FindFacingFaces(set, shape.pose, dgd::HalfSpace<double>(), result); },
       shape.set);
   dgd::ContactPatch<double> patch = FindPatch(result, facing, settings, motion);
-  AddRimPoint(shape, result, facing, settings, motion, patch);
+  if (options.rim_damping) AddRimPoint(shape, result, facing, settings, motion, patch);
   return patch;
 }
 
 }  // namespace
 
 ConvexPlaneAlgorithm::ConvexPlaneAlgorithm(const btCollisionAlgorithmConstructionInfo& info, Narrowphase& narrowphase,
-                                           bool speculative)
-    : btCollisionAlgorithm(info), narrowphase_(narrowphase), manifold_(info.m_manifold), speculative_(speculative) {}
+                                           bool is_for_step)
+    : btCollisionAlgorithm(info), narrowphase_(narrowphase), manifold_(info.m_manifold), is_for_step_(is_for_step) {}
 
 ConvexPlaneAlgorithm::~ConvexPlaneAlgorithm() {
   if (manifold_.IsOwn()) manifold_.GiveBack(*m_dispatcher);
@@ -101,12 +102,11 @@ std::optional<Fallback> ConvexPlaneAlgorithm::FindContacts(const btCollisionObje
   const auto& shape = *static_cast<const btConvexShape*>(convex.getCollisionShape());
   const btCollisionObject &body = *convex.getCollisionObject(), &ground = *plane.getCollisionObject();
   const Border border = BorderOf(plane);
-  const double contact_distance = ContactDistance(options, manifold_.BreakingThreshold(), output);
-  const PairMotion motion = speculative_ && MeetsEarly(manifold_, body, ground)
-                                ? PairMotion(BodyReach(body), BodyReach(ground), double(info.m_timeStep))
-                                : PairMotion();
+  const PairMotion motion =
+      is_for_step_ ? MotionOfStep(manifold_, BodyReach(body), BodyReach(ground), info) : PairMotion();
+  const ContactRange range = RangeOfContacts(options, manifold_, motion, !manifold_.IsEmpty(), output);
   const auto is_out_of_reach = [&](double height) {
-    return height > contact_distance && !motion.MayApproachBy(height, -border.up);
+    return height > range.touching && (height > range.limit || !motion.MayApproachBy(height, -border.up));
   };
   PairOutcome outcome{.way = PairOutcome::Way::kSeparated};
   // A plane has no end, so that all bodies of a world are asked about, most of them far above.
@@ -127,13 +127,13 @@ std::optional<Fallback> ConvexPlaneAlgorithm::FindContacts(const btCollisionObje
   dgd::ContactPatch<double> patch;
   if (!is_out_of_reach(result.separation)) {
     outcome.way = PairOutcome::Way::kSolved;
-    const auto settings = PatchSettingsOf(options, manifold_, contact_distance, IsAskedByApp(output));
-    patch = options.contact_patch ? FindPatchOnPlane(posed, result, settings, motion) : WitnessOnly(result);
+    const auto settings = PatchSettingsOf(options, manifold_, range, motion, IsAskedByApp(output), output);
+    patch = options.contact_patch ? FindPatchOnPlane(posed, result, settings, motion, options) : WitnessOnly(result);
   }
   outcome.patch_size = patch.size;
   Count(outcome, convex);
   if (WantsContacts(info.m_debugDraw)) DrawContacts(patch, result, *info.m_debugDraw);
-  WriteContacts(patch, result.normal, options, manifold_, output);
+  WriteContacts(patch, result.normal, motion, options, manifold_, output);
   RememberRest(convex, plane, motion);
   return std::nullopt;
 } catch (const std::bad_alloc&) {
@@ -161,8 +161,8 @@ bool ConvexPlaneAlgorithm::StaysAtRest(const btCollisionObjectWrapper& convex, c
                                        const btDispatcherInfo& info, btManifoldResult& output) {
   // As with two convex shapes.
   if (!is_resting_ || WantsContacts(info.m_debugDraw) || IsAskedByApp(output)) return false;
-  const bool hold_stuck = narrowphase_.options().friction_anchors;
-  if (!KeepContacts(*resting_, convex, plane, hull_, nullptr, hold_stuck, *manifold_, output)) return false;
+  const double anchor_time_step = narrowphase_.options().friction_anchors ? double(info.m_timeStep) : 0;
+  if (!KeepContacts(*resting_, convex, plane, hull_, nullptr, anchor_time_step, *manifold_, output)) return false;
   Count({.way = PairOutcome::Way::kResting, .patch_size = manifold_->getNumContacts()}, convex);
   return true;
 }

@@ -24,8 +24,8 @@ class RestingPair;
 class ConvexPlaneAlgorithm final : public btCollisionAlgorithm {
  public:
   /// @param info         If it brings a manifold, that is shared: filled, and not refreshed.
-  /// @param speculative  Whether contacts may meet the bodies' motion.
-  ConvexPlaneAlgorithm(const btCollisionAlgorithmConstructionInfo& info, Narrowphase& narrowphase, bool speculative);
+  /// @param is_for_step  Whether its contacts are a step's, and may be ahead of the bodies' motion in it.
+  ConvexPlaneAlgorithm(const btCollisionAlgorithmConstructionInfo& info, Narrowphase& narrowphase, bool is_for_step);
   ~ConvexPlaneAlgorithm() override;
   ConvexPlaneAlgorithm(const ConvexPlaneAlgorithm&) = delete;
   ConvexPlaneAlgorithm& operator=(const ConvexPlaneAlgorithm&) = delete;
@@ -59,7 +59,7 @@ class ConvexPlaneAlgorithm final : public btCollisionAlgorithm {
   Narrowphase& narrowphase_;
   [[no_unique_address]] PairManifold manifold_;  // What follows takes its padding.
   bool is_resting_ = false;                      // That is what the manifold's contacts have been found for.
-  const bool speculative_;
+  const bool is_for_step_;
   std::unique_ptr<RestingPair> resting_;  // Once the pair has rested.
   std::shared_ptr<const CachedHull> hull_;
 };

@@ -13,6 +13,7 @@
 #include "contact_materials.h"
 #include "finite_result.h"
 #include "friction_anchors.h"
+#include "restitution.h"
 
 namespace dgd_bullet {
 namespace {
@@ -88,14 +89,14 @@ void DropStalePoints(btPersistentManifold& manifold, BulletPatch& patch) {
 /// As btManifoldResult::addContactPoint() leaves points that it continues, and btPersistentManifold's refresh after it.
 class ContactRenewal {
  public:
-  ContactRenewal(const btVector3& normal_on_b, bool hold_stuck, const btManifoldResult& output)
+  /// @param time_step  Seconds; 0 for no anchors.
+  ContactRenewal(const btVector3& normal_on_b, btScalar time_step, const btManifoldResult& output)
       : normal_on_b_(normal_on_b),
-        hold_stuck_(hold_stuck),
         wrapper_a_(*output.getBody0Wrap()),
         wrapper_b_(*output.getBody1Wrap()),
         pose_a_(wrapper_a_.getCollisionObject()->getWorldTransform()),
         pose_b_(wrapper_b_.getCollisionObject()->getWorldTransform()),
-        breaking_threshold_(output.getPersistentManifold()->getContactBreakingThreshold()),
+        anchors_(*output.getPersistentManifold(), time_step),
         materials_(*wrapper_a_.getCollisionObject(), *wrapper_b_.getCollisionObject()) {
     btPlaneSpace1(normal_on_b_, lateral_1_, lateral_2_);
     is_seen_by_app_ =
@@ -104,9 +105,8 @@ class ContactRenewal {
   }
 
   void Renew(const BulletPatch::Contact& contact, btManifoldPoint& point) const {
-    const bool is_held = hold_stuck_ && IsStuck(point);
-    const btVector3 slip =
-        is_held ? SlipOf(point, pose_a_, pose_b_, normal_on_b_, breaking_threshold_) : btVector3(0, 0, 0);
+    const bool is_held = anchors_.CanHold(point);
+    const btVector3 slip = is_held ? anchors_.SlipOf(point) : btVector3(0, 0, 0);
     point.m_localPointA = contact.on_a_in_body;
     point.m_localPointB = pose_b_.invXform(contact.on_b);
     point.m_positionWorldOnA = contact.on_a;
@@ -124,15 +124,14 @@ class ContactRenewal {
       gContactAddedCallback(point, &wrapper_a_, point.m_partId0, point.m_index0, &wrapper_b_, point.m_partId1,
                             point.m_index1);
     }
-    if (is_held) Hold(point, slip, pose_a_, pose_b_);
+    if (is_held) anchors_.Hold(point, slip);
   }
 
  private:
   const btVector3& normal_on_b_;
-  const bool hold_stuck_;
   const btCollisionObjectWrapper &wrapper_a_, &wrapper_b_;
   const btTransform &pose_a_, &pose_b_;  // Of the bodies, in whose frames the points are.
-  const btScalar breaking_threshold_;
+  const FrictionAnchors anchors_;
   const ContactMaterials materials_;
   bool is_seen_by_app_;
   btVector3 lateral_1_, lateral_2_;
@@ -160,22 +159,11 @@ class RaisedThreshold {
   const btScalar threshold_;
 };
 
-/// What a refresh is besides another computation of the points.
-void CountStep(btPersistentManifold& manifold) {
-  for (int i = 0; i < manifold.getNumContacts(); ++i) {
-    btManifoldPoint& point = manifold.getContactPoint(i);
-    ++point.m_lifeTime;
-    if (gContactProcessedCallback == nullptr) continue;
-    gContactProcessedCallback(point, const_cast<btCollisionObject*>(manifold.getBody0()),
-                              const_cast<btCollisionObject*>(manifold.getBody1()));
-  }
-}
-
-void WriteInPlace(BulletPatch& patch, bool hold_stuck, btManifoldResult& output) {
+void WriteInPlace(BulletPatch& patch, btScalar anchor_time_step, btManifoldResult& output) {
   btPersistentManifold& manifold = *output.getPersistentManifold();
   patch.FindContinued(manifold);
   DropStalePoints(manifold, patch);
-  const ContactRenewal renewal(patch.normal_on_b, hold_stuck && patch.size >= kFewestAnchors, output);
+  const ContactRenewal renewal(patch.normal_on_b, patch.size >= kFewestAnchors ? anchor_time_step : 0, output);
   RaisedThreshold threshold(manifold);
   for (int i = 0; i < patch.size; ++i) {
     const BulletPatch::Contact& contact = patch.contacts[static_cast<std::size_t>(i)];
@@ -286,15 +274,17 @@ void WritePatch(const dgd::ContactPatch<double>& patch, const Vector3& normal, b
   }
 }
 
-void UpdateManifold(const dgd::ContactPatch<double>& patch, const Vector3& normal, const ManifoldUpdate& update,
-                    btManifoldResult& output) {
+void UpdateManifold(const dgd::ContactPatch<double>& patch, const Vector3& normal, const PairMotion& motion,
+                    const ManifoldUpdate& update, btManifoldResult& output) {
   BulletPatch contacts(patch, normal);
   if (update.drop_stale && !HasOwnWay(output) && contacts.IsSomewhere() && AreBodiesSomewhere(output)) {
-    WriteInPlace(contacts, update.hold_stuck, output);
+    WriteInPlace(contacts, update.hold_stuck ? btScalar(motion.TimeStep()) : 0, output);
   } else {
     WriteThroughBullet(patch, normal, update.drop_stale, output);
   }
-  OrderByImpulse(*output.getPersistentManifold());
+  btPersistentManifold& manifold = *output.getPersistentManifold();
+  for (int i = 0; i < manifold.getNumContacts(); ++i) PrepareRebound(manifold.getContactPoint(i), motion);
+  OrderByImpulse(manifold);
 }
 
 void AddToShared(const dgd::ContactPatch<double>& patch, const Vector3& normal, double equal_depth,
@@ -313,6 +303,16 @@ void AddToShared(const dgd::ContactPatch<double>& patch, const Vector3& normal, 
   if (point.separation + equal_depth < of_manifold || Continues(deepest, normal, manifold) ||
       Widens(ToBullet(point.on_2), manifold)) {
     WritePatch(deepest, normal, output);
+  }
+}
+
+void CountStep(btPersistentManifold& manifold) {
+  for (int i = 0; i < manifold.getNumContacts(); ++i) {
+    btManifoldPoint& point = manifold.getContactPoint(i);
+    ++point.m_lifeTime;
+    if (gContactProcessedCallback == nullptr) continue;
+    gContactProcessedCallback(point, const_cast<btCollisionObject*>(manifold.getBody0()),
+                              const_cast<btCollisionObject*>(manifold.getBody1()));
   }
 }
 

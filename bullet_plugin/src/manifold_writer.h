@@ -8,6 +8,7 @@
 
 #include "bullet_conversions.h"
 #include "dgd/contact_patch.h"
+#include "pair_motion.h"
 
 class btManifoldResult;
 class btPersistentManifold;
@@ -28,9 +29,11 @@ struct ManifoldUpdate {
 /// Makes the points of a manifold that this pair owns those of the patch. A point of the patch continues the nearest
 /// one within the breaking threshold, by its position on body A, as in Bullet's own cache: its impulse is kept.
 /// Bullet's callbacks for contacts are called as Bullet would.
+/// @param motion  Of the manifold's bodies within the step, where its points are ahead of that; for rebounds
+///                (restitution.h) and anchors.
 /// @param output  Of the call; its manifold is the pair's.
-void UpdateManifold(const dgd::ContactPatch<double>& patch, const Vector3& normal, const ManifoldUpdate& update,
-                    btManifoldResult& output);
+void UpdateManifold(const dgd::ContactPatch<double>& patch, const Vector3& normal, const PairMotion& motion,
+                    const ManifoldUpdate& update, btManifoldResult& output);
 
 /// Adds a patch to a manifold that many pairs share, as a mesh's triangles do, and that is refreshed when all have been
 /// asked. While there is room, and as long as all points are of this step, it is given all of the patch: Bullet keeps
@@ -47,6 +50,9 @@ void AddToShared(const dgd::ContactPatch<double>& patch, const Vector3& normal, 
 /// tower is left with feeds a sway. By measurement (contact_report): the bodies of scenes/tower_20.json move at 90 mm/s
 /// without this, at 1.4 with it (float; double 94, 0.5; no resting contacts kept).
 void OrderByImpulse(btPersistentManifold& manifold);
+
+/// What Bullet's refresh of a manifold does besides bringing its points up to date: their age and callback.
+void CountStep(btPersistentManifold& manifold);
 
 /// Removes points whose distance, after a refresh, is no finite number: of bodies whose pose is no pose.
 void DropPointsNotFinite(btPersistentManifold& manifold);

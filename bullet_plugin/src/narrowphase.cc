@@ -124,7 +124,7 @@ template <class Algorithm>
 btCollisionAlgorithm* Narrowphase::PairCreateFunc<Algorithm>::CreateCollisionAlgorithm(
     btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body_0,
     const btCollisionObjectWrapper* body_1) {
-  auto* algorithm = Make<Algorithm>(info, narrowphase, speculative);
+  auto* algorithm = Make<Algorithm>(info, narrowphase, is_for_step);
   if (algorithm == nullptr) {
     narrowphase.CountFallback(*body_0->getCollisionShape(), *body_1->getCollisionShape(), Fallback::kNoMemory);
   }

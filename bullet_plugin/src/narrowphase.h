@@ -64,12 +64,12 @@ class Narrowphase {
   /// Of ConvexConvexAlgorithm, or ConvexPlaneAlgorithm.
   template <class Algorithm>
   struct PairCreateFunc : btCollisionAlgorithmCreateFunc {
-    PairCreateFunc(Narrowphase& shared, bool may_speculate) : narrowphase(shared), speculative(may_speculate) {}
+    PairCreateFunc(Narrowphase& shared, bool for_step) : narrowphase(shared), is_for_step(for_step) {}
     btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
                                                    const btCollisionObjectWrapper* body_0,
                                                    const btCollisionObjectWrapper* body_1) override;
     Narrowphase& narrowphase;
-    const bool speculative;
+    const bool is_for_step;
   };
   struct MeshCreateFunc : btCollisionAlgorithmCreateFunc {
     MeshCreateFunc(const Narrowphase& shared, bool is_mesh_first) : narrowphase(shared), is_swapped(is_mesh_first) {}
@@ -81,10 +81,11 @@ class Narrowphase {
   };
 
   const Options options_;
-  const bool may_speculate_ = options_.contact_patch && options_.speculative_contacts;
-  PairCreateFunc<ConvexConvexAlgorithm> contact_create_func_{*this, may_speculate_};
+  // Bullet's own accumulation of single points knows none of this step's motion.
+  const bool follows_motion_ = options_.contact_patch;
+  PairCreateFunc<ConvexConvexAlgorithm> contact_create_func_{*this, follows_motion_};
   PairCreateFunc<ConvexConvexAlgorithm> closest_points_create_func_{*this, false};
-  PairCreateFunc<ConvexPlaneAlgorithm> plane_contact_create_func_{*this, may_speculate_};
+  PairCreateFunc<ConvexPlaneAlgorithm> plane_contact_create_func_{*this, follows_motion_};
   PairCreateFunc<ConvexPlaneAlgorithm> plane_closest_points_create_func_{*this, false};
   MeshCreateFunc mesh_create_func_{*this, false}, swapped_mesh_create_func_{*this, true};
   HullCache hulls_;

@@ -1,7 +1,12 @@
 #include "pair_contacts.h"
 
+#include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 
+#include <algorithm>
+#include <limits>
+
+#include "contact_distance.h"
 #include "manifold_writer.h"
 
 namespace dgd_bullet {
@@ -11,12 +16,54 @@ namespace {
 /// anybody: picometres.
 constexpr double kEqualDepth = 1e-3, kNoDepth = 1e-10;
 
+/// Of the breaking threshold: bodies at rest tremble by less.
+constexpr double kTouching = 1e-3;
+
+/// Whether the pair's points carried anything in the last step.
+bool IsLoaded(const PairManifold& manifold) {
+  if (manifold.IsEmpty()) return false;
+  for (int i = 0; i < manifold->getNumContacts(); ++i) {
+    if (manifold->getContactPoint(i).m_appliedImpulse > 0) return true;
+  }
+  return false;
+}
+
+bool Rebounds(const btManifoldResult& output) {
+  return gCalculateCombinedRestitutionCallback(output.getBody0Internal(), output.getBody1Internal()) > 0;
+}
+
 }  // namespace
 
-bool MeetsEarly(const PairManifold& manifold, const btCollisionObject& object_0, const btCollisionObject& object_1) {
-  // A shared manifold is refreshed by whoever shares it, and loses far points there. A contact that is met early takes
-  // its part of the step from the speed of the rebound.
-  return manifold.IsOwn() && !(btManifoldResult::calculateCombinedRestitution(&object_0, &object_1) > 0);
+PairMotion MotionOfStep(const PairManifold& manifold, const BodyReach& body_a, const BodyReach& body_b,
+                        const btDispatcherInfo& info) {
+  if (!manifold.IsOwn() || !(info.m_timeStep > 0)) return {};
+  return {body_a, body_b, double(info.m_timeStep)};
+}
+
+ContactRange RangeOfContacts(const Options& options, const PairManifold& manifold, const PairMotion& motion,
+                             bool was_in_contact, const btManifoldResult& output) {
+  const double breaking_threshold = manifold.BreakingThreshold();
+  if (!motion.IsKnown()) {
+    const double distance = ContactDistance(options, breaking_threshold, output);
+    return {distance, distance};
+  }
+  // Nothing is to be kept apart: such bodies, sensors most often, are in contact when they overlap.
+  const bool has_response =
+      output.getBody0Internal()->hasContactResponse() && output.getBody1Internal()->hasContactResponse();
+  if (!has_response) return {0, 0};
+  double touching = kTouching * breaking_threshold;
+  if (options.contact_distance > 0) {
+    touching = options.contact_distance;
+  } else if (Rebounds(output)) {
+    // Bodies that only touch must not share an impact that one of them is about to take: it passes on from each to the
+    // next.
+    if (!IsLoaded(manifold)) touching = -touching;
+  } else if (was_in_contact) {
+    touching = breaking_threshold;
+  }
+  const double limit =
+      options.speculative_contacts ? std::numeric_limits<double>::infinity() : std::max(touching, breaking_threshold);
+  return {touching, limit};
 }
 
 bool MayKeepContacts(const Options& options, const PairManifold& manifold) {
@@ -24,19 +71,24 @@ bool MayKeepContacts(const Options& options, const PairManifold& manifold) {
 }
 
 dgd::PatchSettings<double> PatchSettingsOf(const Options& options, const PairManifold& manifold,
-                                           double contact_distance, bool is_asked) {
+                                           const ContactRange& range, const PairMotion& motion, bool is_asked,
+                                           const btManifoldResult& output) {
   const double breaking_threshold = manifold.BreakingThreshold();
-  return {.contact_distance = contact_distance,
+  // Of bodies in contact, points that are near carry nothing unless they close in; where bodies rebound, they would
+  // take from that.
+  const bool only_touching = !motion.IsKnown() || range.limit <= 0 || Rebounds(output);
+  return {.contact_distance = only_touching ? range.touching : std::max(range.touching, breaking_threshold),
           .spacing = breaking_threshold,
           .equal_depth = (is_asked ? kNoDepth : kEqualDepth) * breaking_threshold,
           .max_points = options.patch_size};
 }
 
-void WriteContacts(const dgd::ContactPatch<double>& patch, const Vector3& normal, const Options& options,
-                   const PairManifold& manifold, btManifoldResult& output) {
+void WriteContacts(const dgd::ContactPatch<double>& patch, const Vector3& normal, const PairMotion& motion,
+                   const Options& options, const PairManifold& manifold, btManifoldResult& output) {
   if (!manifold.IsOwn()) return AddToShared(patch, normal, kEqualDepth * manifold.BreakingThreshold(), output);
   if (patch.size == 0 && manifold.IsEmpty()) return;  // As most pairs of a broadphase, step after step.
-  UpdateManifold(patch, normal, {.drop_stale = options.contact_patch, .hold_stuck = options.friction_anchors}, output);
+  UpdateManifold(patch, normal, motion, {.drop_stale = options.contact_patch, .hold_stuck = options.friction_anchors},
+                 output);
 }
 
 }  // namespace dgd_bullet

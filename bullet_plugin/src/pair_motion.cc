@@ -20,19 +20,28 @@ double Reach(const btCollisionObject& object, const btVector3& from) {
 BodyReach::BodyReach(const btCollisionObject& body)
     : object(body), reach(Reach(body, body.getWorldTransform().getOrigin())) {}
 
-PairMotion::Twist PairMotion::Read(const BodyReach& body) {
+PairMotion::Twist PairMotion::Read(const BodyReach& body, double time_step) {
   const btRigidBody* rigid = btRigidBody::upcast(&body.object);
   if (rigid == nullptr || rigid->isStaticObject()) return {};
-  // The centre of mass is the origin of the world transform.
-  return {FromBullet(rigid->getLinearVelocity()), FromBullet(rigid->getAngularVelocity()),
-          FromBullet(rigid->getWorldTransform().getOrigin()), body.reach};
+  const btVector3& origin = rigid->getWorldTransform().getOrigin();  // The centre of mass.
+  const auto time = btScalar(time_step);
+  // As Bullet's constraint solver reads them, but for gyroscopic torques.
+  const btVector3 linear_gain = time * rigid->getInvMass() * rigid->getTotalForce();
+  const btVector3 angular_gain = time * rigid->getTotalTorque() * rigid->getInvInertiaTensorWorld();
+  return {FromBullet(rigid->getLinearVelocity()),
+          FromBullet(rigid->getAngularVelocity()),
+          FromBullet(linear_gain),
+          FromBullet(angular_gain),
+          FromBullet(origin),
+          body.reach};
 }
 
 dgd::Motion<double> PairMotion::Twist::MotionOf(const Pose& pose, double time) const {
-  return {pose, time * linear, time * angular, pose.rotation.transpose() * (center - pose.translation)};
+  return {pose, time * PredictedLinear(), time * PredictedAngular(),
+          pose.rotation.transpose() * (center - pose.translation)};
 }
 
 PairMotion::PairMotion(const BodyReach& body_a, const BodyReach& body_b, double time_step)
-    : a_(Read(body_a)), b_(Read(body_b)), time_step_(time_step) {}
+    : a_(Read(body_a, time_step)), b_(Read(body_b, time_step)), time_step_(time_step) {}
 
 }  // namespace dgd_bullet

@@ -1,7 +1,9 @@
-// How far two bodies approach each other within the time step, by their velocities before the constraints are solved.
+// How far two bodies approach each other within the time step, by their velocities and the forces on them before the
+// constraints are solved.
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include "bullet_conversions.h"
 #include "dgd/motion.h"
@@ -30,25 +32,56 @@ class PairMotion {
   /// The bodies' motion over `time_step` seconds. Only rigid bodies have velocities; others count as at rest.
   PairMotion(const BodyReach& body_a, const BodyReach& body_b, double time_step);
 
-  /// Metres by which the surfaces come closer along `normal` (unit, from A to B) at a world point; negative if they
-  /// part.
+  /// Whether this is a motion over a time step, and not the default.
+  bool IsKnown() const { return time_step_ > 0; }
+  double TimeStep() const { return time_step_; }
+
+  /// Metres by which the surfaces come closer along `normal` (unit, from A to B) at a world point within the step, if
+  /// no constraint acts; negative if they part.
   double Approach(const Vector3& point, const Vector3& normal) const {
-    return time_step_ * normal.dot(a_.VelocityAt(point) - b_.VelocityAt(point));
+    return time_step_ * normal.dot(a_.PredictedVelocityAt(point) - b_.PredictedVelocityAt(point));
+  }
+  /// The speed at which they do now, and what the forces add to it within the step; metres per second.
+  double ApproachSpeed(const Vector3& point, const Vector3& normal) const {
+    return normal.dot(a_.VelocityAt(point) - b_.VelocityAt(point));
+  }
+  double ApproachSpeedGain(const Vector3& point, const Vector3& normal) const {
+    return Approach(point, normal) / time_step_ - ApproachSpeed(point, normal);
+  }
+  /// Metres by which the surfaces move past each other across `normal` at a world point within the step.
+  double Passing(const Vector3& point, const Vector3& normal) const {
+    const Vector3 way = time_step_ * (a_.PredictedVelocityAt(point) - b_.PredictedVelocityAt(point));
+    return (way - normal.dot(way) * normal).norm();
   }
 
   /// No point of either body approaches the other by more than this: along `normal` (unit, from A to B), or at all.
   /// Metres.
   double MaxApproach(const Vector3& normal) const {
-    return time_step_ * (normal.dot(a_.linear - b_.linear) + a_.RimSpeed(normal) + b_.RimSpeed(normal));
+    return time_step_ * (normal.dot(RelativeVelocity()) + a_.RimSpeed(normal) + b_.RimSpeed(normal));
   }
   double MaxApproach() const {
-    return time_step_ * ((a_.linear - b_.linear).norm() + a_.angular.norm() * a_.reach + b_.angular.norm() * b_.reach);
+    return time_step_ * (RelativeVelocity().norm() + a_.PredictedAngular().norm() * a_.reach +
+                         b_.PredictedAngular().norm() * b_.reach);
   }
-  /// Whether that may be as much as `distance`, metres; also where velocities are no numbers. Mostly without a root.
+  /// Whether that may be as much as `distance`, metres; also where velocities are NaN. Mostly without a root.
   bool MayApproachBy(double distance, const Vector3& normal) const {
-    const double along = normal.dot(a_.linear - b_.linear);
-    const double around = a_.angular.lpNorm<1>() * a_.reach + b_.angular.lpNorm<1>() * b_.reach;
+    const double along = normal.dot(RelativeVelocity());
+    const double around = a_.PredictedAngular().lpNorm<1>() * a_.reach + b_.PredictedAngular().lpNorm<1>() * b_.reach;
     return !(time_step_ * (along + around) < distance) && !(MaxApproach(normal) < distance);
+  }
+
+  /// The motion at the present velocities: what supports a body takes up its weight.
+  PairMotion WithoutForces() const {
+    PairMotion coasting = *this;
+    for (Twist* twist : {&coasting.a_, &coasting.b_}) twist->linear_gain = twist->angular_gain = Vector3::Zero();
+    return coasting;
+  }
+
+  /// The same motion with the bodies in the other order.
+  PairMotion Reversed() const {
+    PairMotion reversed = *this;
+    std::swap(reversed.a_, reversed.b_);
+    return reversed;
   }
 
   /// Whether no point of either body goes farther than `distance`, metres.
@@ -74,19 +107,28 @@ class PairMotion {
  private:
   struct Twist {
     Vector3 VelocityAt(const Vector3& point) const { return linear + angular.cross(point - center); }
+    Vector3 PredictedVelocityAt(const Vector3& point) const {
+      return PredictedLinear() + PredictedAngular().cross(point - center);
+    }
+    Vector3 PredictedLinear() const { return linear + linear_gain; }
+    Vector3 PredictedAngular() const { return angular + angular_gain; }
     dgd::Motion<double> MotionOf(const Pose& pose, double time) const;
     double Speed() const { return linear.norm() + angular.norm() * reach; }
     /// No point goes faster along `normal` by rotation alone, on average over whatever time: turned by an angle about
     /// an axis, a unit vector's end goes that angle at most times its distance from the axis.
-    double RimSpeed(const Vector3& normal) const { return angular.cross(normal).norm() * reach; }
+    double RimSpeed(const Vector3& normal) const { return PredictedAngular().cross(normal).norm() * reach; }
 
-    Vector3 linear = Vector3::Zero();   // Of the centre of mass, metres per second.
-    Vector3 angular = Vector3::Zero();  // Radians per second.
-    Vector3 center = Vector3::Zero();   // World, metres.
-    double reach = 0;                   // From the centre to the body's farthest point, metres.
+    Vector3 linear = Vector3::Zero();       // Velocity of the centre of mass, metres per second.
+    Vector3 angular = Vector3::Zero();      // Radians per second.
+    Vector3 linear_gain = Vector3::Zero();  // What the forces on the body add to these within the step.
+    Vector3 angular_gain = Vector3::Zero();
+    Vector3 center = Vector3::Zero();  // World, metres.
+    double reach = 0;                  // From the centre to the body's farthest point, metres.
   };
 
-  static Twist Read(const BodyReach& body);
+  static Twist Read(const BodyReach& body, double time_step);
+
+  Vector3 RelativeVelocity() const { return a_.PredictedLinear() - b_.PredictedLinear(); }
 
   Twist a_, b_;
   double time_step_ = 0;

@@ -254,15 +254,20 @@ bool RememberRest(const btCollisionObjectWrapper& body_a, const btCollisionObjec
 }
 
 bool KeepContacts(RestingPair& resting, const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
-                  const RestingPair::Hull& hull_a, const RestingPair::Hull& hull_b, bool hold_stuck,
+                  const RestingPair::Hull& hull_a, const RestingPair::Hull& hull_b, double anchor_time_step,
                   btPersistentManifold& manifold, btManifoldResult& output) {
   const RestingPair::Since since = resting.Compare(body_a, body_b, manifold, hull_a, hull_b);
   if (since == RestingPair::Since::kChanged) return false;
   if (since == RestingPair::Since::kMovedTogether) resting.Follow(body_a, body_b, manifold);
-  if (hold_stuck) HoldKept(manifold);
   const ContactMaterials materials(*output.getBody0Internal(), *output.getBody1Internal());
   for (int i = 0; i < manifold.getNumContacts(); ++i) materials.ApplyTo(manifold.getContactPoint(i));
-  output.refreshContactPoints();
+  if (anchor_time_step > 0 && manifold.getNumContacts() >= kFewestAnchors) {
+    const FrictionAnchors anchors(manifold, btScalar(anchor_time_step));
+    for (int i = 0; i < manifold.getNumContacts(); ++i) anchors.RefreshKept(manifold.getContactPoint(i));
+    CountStep(manifold);
+  } else {
+    output.refreshContactPoints();
+  }
   return true;
 }
 

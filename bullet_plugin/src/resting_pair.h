@@ -115,10 +115,10 @@ bool RememberRest(const btCollisionObjectWrapper& body_a, const btCollisionObjec
                   std::unique_ptr<RestingPair>& resting);
 
 /// Brings the contacts of a pair up to date if it is as it was: distances, and what the bodies' materials make of them.
-/// @param hold_stuck  Options::friction_anchors.
+/// @param anchor_time_step  Seconds, for friction anchors; 0 without Options::friction_anchors.
 /// @return whether it is.
 bool KeepContacts(RestingPair& resting, const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
-                  const RestingPair::Hull& hull_a, const RestingPair::Hull& hull_b, bool hold_stuck,
+                  const RestingPair::Hull& hull_a, const RestingPair::Hull& hull_b, double anchor_time_step,
                   btPersistentManifold& manifold, btManifoldResult& output);
 
 }  // namespace dgd_bullet

@@ -218,9 +218,12 @@ TEST(PlaneLanding, Bodies_SinkInLessThanATenthAsDeepAsOnTheBuiltin) {
   EXPECT_LT(ours, 0.1 * builtin);
 }
 
-/// A shape that wobbles on its flat side, as a spun coin does: how fast it still turns after a time, rad/s.
+/// A shape that wobbles on its flat side, as a spun coin does, with Options::rim_damping: how fast it still turns after
+/// a time, rad/s.
 double SpeedOfCoin(btConvexShape& coin, double height, bool on_plane) {
-  TestWorld world(Route::kConfiguration);
+  dgd_bullet::Options options;
+  options.rim_damping = true;
+  TestWorld world(Route::kConfiguration, options);
   if (on_plane) {
     world.Add(world.Make<btStaticPlaneShape>(Vec(0, 0, 1), btScalar(0)), 0, At(0, 0, 0));
   } else {

@@ -65,6 +65,7 @@ TEST_F(RestingPair, MovedWithinTheDistance_HasItsDistancesBroughtUpToDate) {
 
 // A pair that rests from its first step on has had no second one that would have found its points sticking.
 TEST_F(RestingPair, PointsThatStick_AreHeldWhereTheyAre) {
+  world_.world().getDispatchInfo().m_timeStep = btScalar(TestWorld::kTimeStep);
   for (int i = 0; i < 4; ++i) {
     EXPECT_EQ(Manifold().getContactPoint(i).m_contactPointFlags & BT_CONTACT_FLAG_FRICTION_ANCHOR, 0);
     Manifold().getContactPoint(i).m_appliedImpulse = btScalar(i > 0);
