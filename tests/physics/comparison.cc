@@ -1,5 +1,6 @@
 #include "physics/comparison.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -15,17 +16,35 @@ std::string Format(const char* format, Values... values) {
 
 std::string Name(const Comparison& comparison) { return std::string(comparison.experiment->name); }
 
+constexpr int kNameWidth = 22;
+
 }  // namespace
 
 Comparison Compare(const Experiment& experiment, double rate, bool is_quick) {
-  Comparison comparison{&experiment, rate, {}, {}};
+  Comparison comparison{&experiment, rate, {}, {}, {}};
   comparison.builtin = experiment.measure({Narrowphase::kBuiltin, rate, is_quick});
   comparison.ours = experiment.measure({Narrowphase::kOurs, rate, is_quick});
   return comparison;
 }
 
+std::vector<Comparison> WithGroups(const Comparison& all) {
+  std::vector<Comparison> groups;
+  for (std::size_t i = 0; i < all.ours.size(); ++i) {
+    const std::string& name = all.ours[i].group;
+    const auto is_it = [&name](const Comparison& group) { return group.group == name; };
+    auto group = std::ranges::find_if(groups, is_it);
+    if (group == groups.end()) group = groups.insert(group, {all.experiment, all.rate, name, {}, {}});
+    group->builtin.push_back(all.builtin[i]);
+    group->ours.push_back(all.ours[i]);
+  }
+  if (groups.size() == 1) groups.clear();
+  groups.insert(groups.begin(), all);
+  return groups;
+}
+
 std::string FormatHeading(const std::vector<double>& rates) {
-  std::string rate_line = Format("%-22s", ""), column_line = Format("%-16s%6s", "class", "cases");
+  std::string rate_line = Format("%-*s", kNameWidth + 6, ""),
+              column_line = Format("%-*s%6s", kNameWidth, "class", "cases");
   for (const double rate : rates) {
     rate_line += Format(" | %8g Hz%14s", rate, "");
     column_line += Format(" |%10s%10s%5s", "built-in", "ours", "");
@@ -34,7 +53,9 @@ std::string FormatHeading(const std::vector<double>& rates) {
 }
 
 std::string FormatRow(const std::vector<Comparison>& comparisons) {
-  std::string row = Format("%-16s%6zu", Name(comparisons.front()).c_str(), comparisons.front().ours.size());
+  const Comparison& first = comparisons.front();
+  const std::string name = first.group.empty() ? Name(first) : "  " + first.group;
+  std::string row = Format("%-*s%6zu", kNameWidth, name.c_str(), first.ours.size());
   for (const Comparison& comparison : comparisons) {
     row += Format(" |%10.2g%10.2g%5s", comparison.BuiltinError(), comparison.OurError(),
                   comparison.Passes() ? "" : "FAIL");
@@ -57,7 +78,8 @@ std::string FormatFailures(const std::vector<Comparison>& comparisons) {
   std::string text;
   for (const Comparison& comparison : comparisons) {
     if (comparison.Passes()) continue;
-    text += Format("fails: %s at %g Hz: %.3g, bound %.3g\n", Name(comparison).c_str(), comparison.rate,
+    const std::string group = comparison.group.empty() ? "" : " (" + comparison.group + ")";
+    text += Format("fails: %s%s at %g Hz: %.3g, bound %.3g\n", Name(comparison).c_str(), group.c_str(), comparison.rate,
                    comparison.OurError(), comparison.Bound());
   }
   return text;

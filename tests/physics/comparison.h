@@ -11,6 +11,7 @@ namespace dgd_physics {
 struct Comparison {
   const Experiment* experiment = nullptr;
   double rate = 0;        ///< Hz
+  std::string group;      ///< Empty for all cases.
   Samples builtin, ours;  ///< The same cases in the same order.
 
   double BuiltinError() const { return RmsError(builtin); }
@@ -22,12 +23,16 @@ struct Comparison {
 
 Comparison Compare(const Experiment& experiment, double rate, bool is_quick);
 
-/// A heading for rows at these rates, and the row of one experiment, with one comparison a rate.
+/// All cases, then each group's if there are several: an error of the built-in's in one does not excuse ours in
+/// another.
+std::vector<Comparison> WithGroups(const Comparison& all);
+
+/// A heading for rows at these rates, and the row of one experiment or group, with one comparison a rate.
 std::string FormatHeading(const std::vector<double>& rates);
 std::string FormatRow(const std::vector<Comparison>& comparisons);
 /// A line per case: its name, built-in, ours, theory, and both errors.
 std::string FormatCases(const Comparison& comparison);
-/// The classes and rates that fail, a line each; empty if none do.
+/// The classes, groups and rates that fail, a line each; empty if none do.
 std::string FormatFailures(const std::vector<Comparison>& comparisons);
 /// A line per case, with 17 significant digits, and a line of column names first.
 std::string FormatCsv(const std::vector<Comparison>& comparisons, const std::string& precision);

@@ -19,8 +19,12 @@ double RestitutionBound(double rate) {
 
 }  // namespace
 
-Sample RelativeToTheory(std::string name, double measured, double theory) {
-  return {std::move(name), measured, theory, std::abs(theory)};
+Sample RelativeToTheory(std::string name, double measured, double theory, std::string group) {
+  return {std::move(name), measured, theory, std::abs(theory), std::move(group)};
+}
+
+void AddTo(Samples& samples, Samples more) {
+  for (Sample& sample : more) samples.push_back(std::move(sample));
 }
 
 double RelativeError(const Sample& sample) {

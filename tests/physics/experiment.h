@@ -23,11 +23,15 @@ struct Sample {
   double measured = 0;  ///< In the experiment's unit.
   double theory = 0;    ///< Same unit.
   double scale = 1;     ///< What the error is relative to; same unit, > 0.
+  std::string group;    ///< Of the cases of a class, those that are also judged by themselves; may be empty.
 };
 using Samples = std::vector<Sample>;
 
 /// A sample whose error is relative to the theory itself, which must not be 0.
-Sample RelativeToTheory(std::string name, double measured, double theory);
+Sample RelativeToTheory(std::string name, double measured, double theory, std::string group = {});
+
+/// Appends.
+void AddTo(Samples& samples, Samples more);
 
 /// |measured - theory| / scale, at most 1; 1 for NaN.
 double RelativeError(const Sample& sample);

@@ -4,6 +4,7 @@
 #include "physics/friction.h"
 #include "physics/moving_support.h"
 #include "physics/near_miss.h"
+#include "physics/resting.h"
 #include "physics/restitution.h"
 #include "physics/spinning.h"
 
@@ -25,15 +26,33 @@ const std::vector<Experiment>& Experiments() {
        MeasureSwingForce},
       {"taps", "20 taps on a body at rest: way, against the sum of v^2 / (2 mu g)", MeasureTaps},
       {"belt", "a body on a belt that moves without moving: its speed, against the belt's", MeasureBelt},
+      {"platform", "a load on a platform that shakes below slipping: amplitude, against the platform's; phase in rad",
+       MeasurePlatform},
+      {"feeder", "a load on a vibratory feeder: speed of transport, against the integrated one", MeasureFeeder},
       {"teleport", "a support put aside without a velocity: share of its way that the load is dragged",
        MeasureTeleport},
       {"incline", "slopes: creep in 5 s below the friction angle, in cm; above it speed, against g (sin - mu cos) t",
        MeasureIncline},
       {"euler_disc", "a disc that precesses in place: energy kept in 5 s", MeasureEulerDisc},
+      {"disc_circle", "a disc that rolls in a circle: energy kept in 3 s", MeasureDiscCircle},
+      {"rolling", "balls and cylinders that roll on the level: kinetic energy kept in 4 s", MeasureRolling},
+      {"torsion", "a box that spins about the vertical: angle until friction at its corners stops it", MeasureTorsion},
       {"near_rod", "a rod that spins half a millimetre clear of another: spin kept", MeasureNearRod},
+      {"graze", "a body that flies past a face, 1 to 15 mm clear: change of velocity, over the speed", MeasureGraze},
+      {"past_edge", "a body that flies past an edge, 2 to 30 mm clear: change of velocity, over the speed",
+       MeasurePastEdge},
       {"box_seams", "a box without friction over flush boxes: speed kept", MeasureBoxSeams},
       {"mesh_seams", "bodies without friction over flat meshes and heightfields: speed kept", MeasureMeshSeams},
       {"tip", "boxes that tip: force, slope, and share of wrong falls from a ledge", MeasureTip},
+      {"rocking", "a slender block let go on an edge: greatest tilt on the other one, against Housner's",
+       MeasureRocking},
+      {"drop_dead", "dropped bodies without restitution: height of the rebound, over that of the drop",
+       MeasureDropDead},
+      {"rest", "bodies that have come to rest: speed, over 5 cm/s", MeasureRest},
+      {"weight", "loads on two or four supports: forces, against statics", MeasureWeight},
+      {"stack", "five boxes on each other for 5 s: way of the topmost, over the height", MeasureStack},
+      {"tunnel", "fast bodies at thin plates, without continuous collision detection: share that goes through",
+       MeasureTunnel},
   };
   return experiments;
 }

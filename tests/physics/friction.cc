@@ -11,7 +11,7 @@ namespace dgd_physics {
 namespace {
 
 constexpr std::array kForms = {Form::kBox, Form::kHull, Form::kCylinder};
-constexpr std::array kGrounds = {Ground::kPlane, Ground::kBox, Ground::kMesh};
+constexpr std::array kGrounds = {Ground::kBox, Ground::kPlane, Ground::kMesh};
 constexpr std::array<double, 3> kFrictions = {0.3, 0.5, 0.2};
 constexpr std::array<double, 3> kHalves = {0.25, 0.1, 0.5};  // m
 constexpr std::array<double, 3> kMasses = {1, 0.2, 30};      // kg
@@ -30,6 +30,7 @@ struct Block {
     return NameOf(form) + " " + Text(half) + " m on " + NameOf(ground) + ", mu " + Text(friction) + ", heading " +
            Text(heading);
   }
+  std::string Group() const { return form == Form::kBox && ground == Ground::kBox ? "boxes on boxes" : "others"; }
 };
 
 /// Every combination of form and ground comes by; sizes, masses, friction and headings change along.
@@ -37,6 +38,14 @@ Block BlockOf(int index) {
   const std::size_t i = static_cast<std::size_t>(index);
   return {kForms[i % 3],         kGrounds[i / 3 % 3], kHalves[(i + i / 3) % 3], kMasses[(i + i / 9) % 3],
           kFrictions[i / 2 % 3], HeadingOf(index)};
+}
+
+/// Boxes alone, every other one on a box, the others on planes.
+Block BoxOf(int index) {
+  Block block = BlockOf(index);
+  block.form = Form::kBox;
+  block.ground = index % 2 == 0 ? Ground::kBox : Ground::kPlane;
+  return block;
 }
 
 btRigidBody& AddBlock(Lab& lab, const Block& block) {
@@ -65,7 +74,7 @@ Sample MeasureSlide(const Conditions& conditions, const Block& block, double spe
   Kick(lab, body, speed, block.heading, deceleration);
   lab.Run(speed / deceleration + 0.3);
   return RelativeToTheory(block.Name() + ", " + Text(speed) + " m/s", Along(PositionOf(body) - start, block.heading),
-                          SlideDistance(speed, deceleration));
+                          SlideDistance(speed, deceleration), block.Group());
 }
 
 /// One after another, each after the last has ended: speeds from 0.06 to 0.25 m/s.
@@ -84,7 +93,7 @@ Sample MeasureTaps(const Conditions& conditions, const Block& block) {
     distance += SlideDistance(speed, deceleration);
     lab.Run(speed / deceleration + 0.1);
   }
-  return RelativeToTheory(block.Name(), Along(PositionOf(body) - start, block.heading), distance);
+  return RelativeToTheory(block.Name(), Along(PositionOf(body) - start, block.heading), distance, block.Group());
 }
 
 /// Farthest and last way from the start.
@@ -121,8 +130,8 @@ Samples MeasureSwingForce(const Conditions& conditions, const Block& block, doub
     measured.Visit(Along(PositionOf(body) - start, block.heading));
   }
   const std::string name = block.Name() + ", " + Text(frequency) + " Hz";
-  return {RelativeToTheory(name + ": farthest", measured.farthest, theory.farthest),
-          Sample{name + ": last", measured.last, theory.last, theory.farthest}};
+  return {RelativeToTheory(name + ": farthest", measured.farthest, theory.farthest, block.Group()),
+          Sample{name + ": last", measured.last, theory.last, theory.farthest, block.Group()}};
 }
 
 /// Ground tilted by `slope`, so that the block would slide along the heading.
@@ -156,7 +165,7 @@ Sample MeasureHold(const Conditions& conditions, const Block& block, double shar
   const btVector3 start = PositionOf(body);
   lab.Run(kDuration);
   const double way = double((PositionOf(body) - start).length());
-  return {block.Name() + ", held at " + Text(angle) + " rad", way, 0, kCreepScale};
+  return {block.Name() + ", held at " + Text(angle) + " rad", way, 0, kCreepScale, block.Group()};
 }
 
 /// Speed after a second on a slope that does not hold.
@@ -170,16 +179,49 @@ Sample MeasureDescent(const Conditions& conditions, const Block& block, double e
   const double speed = double(body.getLinearVelocity().dot(slope.downhill));
   const double acceleration = kGravity * (std::sin(angle) - block.friction * std::cos(angle));
   const double duration = lab.StepsIn(kDuration) * lab.dt();
-  return RelativeToTheory(block.Name() + ", slides at " + Text(angle) + " rad", speed, acceleration * duration);
+  return RelativeToTheory(block.Name() + ", slides at " + Text(angle) + " rad", speed, acceleration * duration,
+                          block.Group());
+}
+
+/// A box that spins about the vertical slides at its four corners, all as far from the axis: whatever the share of the
+/// weight that each bears, friction brakes it by mu m g times that distance. Angle until it stops.
+Sample MeasureTorsion(const Conditions& conditions, const Block& block, double spin) {
+  Lab lab(conditions);
+  lab.AddGround(block.ground);
+  btRigidBody& body = AddBlock(lab, block);
+  lab.Run(kSettleTime);
+  const auto& box = static_cast<const btBoxShape&>(*body.getCollisionShape());
+  const btVector3 half = box.getHalfExtentsWithMargin();
+  const double arm = std::hypot(double(half.x()), double(half.y()));
+  const double deceleration = block.friction * block.mass * kGravity * arm * double(body.getInvInertiaDiagLocal().z());
+  // As in Kick().
+  body.setAngularVelocity(Vec(0, 0, spin + 0.5 * deceleration * lab.dt()));
+  double angle = 0;
+  for (int step = lab.StepsIn(spin / deceleration + 0.3); step > 0; --step) {
+    lab.Step();
+    angle += double(body.getAngularVelocity().z()) * lab.dt();
+  }
+  return RelativeToTheory(block.Name() + ", " + Text(spin) + " rad/s: rad", angle, SlideDistance(spin, deceleration),
+                          block.Group());
 }
 
 }  // namespace
 
+Samples MeasureTorsion(const Conditions& conditions) {
+  constexpr std::array<double, 5> kSpins = {2, 10, 0.5, 5, 1};  // rad/s
+  Samples samples;
+  for (const int i : SelectIndices(conditions, 10, 3)) {
+    samples.push_back(MeasureTorsion(conditions, BoxOf(i), kSpins[static_cast<std::size_t>(i) % kSpins.size()]));
+  }
+  return samples;
+}
+
 Samples MeasureSlide(const Conditions& conditions) {
   constexpr std::array<double, 7> kSpeeds = {0.05, 1, 0.2, 3, 0.1, 0.4, 2};  // m/s
   Samples samples;
-  for (const int i : SelectIndices(conditions, 27, 5)) {
-    samples.push_back(MeasureSlide(conditions, BlockOf(i), kSpeeds[static_cast<std::size_t>(i) % kSpeeds.size()]));
+  for (const int i : SelectIndices(conditions, 36, 5)) {
+    const Block block = i % 4 == 3 ? BoxOf(2 * i) : BlockOf(i);
+    samples.push_back(MeasureSlide(conditions, block, kSpeeds[static_cast<std::size_t>(i) % kSpeeds.size()]));
   }
   return samples;
 }
@@ -188,17 +230,18 @@ Samples MeasureSwingForce(const Conditions& conditions) {
   constexpr std::array<double, 4> kFrequencies = {2, 10, 5, 3};  // Hz
   Samples samples;
   for (const int i : SelectIndices(conditions, 12, 5)) {
-    Block block = BlockOf(i);
-    block.form = Form::kBox;
+    const Block block = BoxOf(i);
     const double frequency = kFrequencies[static_cast<std::size_t>(i + i / 4) % kFrequencies.size()];
-    for (Sample& sample : MeasureSwingForce(conditions, block, frequency)) samples.push_back(std::move(sample));
+    AddTo(samples, MeasureSwingForce(conditions, block, frequency));
   }
   return samples;
 }
 
 Samples MeasureTaps(const Conditions& conditions) {
   Samples samples;
-  for (const int i : SelectIndices(conditions, 9, 4)) samples.push_back(MeasureTaps(conditions, BlockOf(i)));
+  for (const int i : SelectIndices(conditions, 9, 4)) {
+    samples.push_back(MeasureTaps(conditions, i % 3 == 2 ? BlockOf(i) : BoxOf(i)));
+  }
   return samples;
 }
 
@@ -207,8 +250,10 @@ Samples MeasureIncline(const Conditions& conditions) {
   constexpr std::array<double, 3> kExcesses = {0.05, 0.15, 0.3};  // Over it, radians.
   Samples samples;
   for (const int i : SelectIndices(conditions, 12, 5)) {
-    samples.push_back(MeasureHold(conditions, BlockOf(i), kShares[static_cast<std::size_t>(i) % 3]));
-    samples.push_back(MeasureDescent(conditions, BlockOf(i + 4), kExcesses[static_cast<std::size_t>(i) % 3]));
+    const std::size_t j = static_cast<std::size_t>(i);
+    const Block held = i % 3 == 2 ? BoxOf(2 * i) : BlockOf(i), sliding = i % 3 == 1 ? BoxOf(2 * i) : BlockOf(i + 4);
+    samples.push_back(MeasureHold(conditions, held, kShares[j % 3]));
+    samples.push_back(MeasureDescent(conditions, sliding, kExcesses[(j + j / 3) % 3]));
   }
   return samples;
 }

@@ -28,15 +28,16 @@ struct Load {
   std::string Name() const {
     return NameOf(form) + " " + Text(half) + " m, mu " + Text(friction) + ", heading " + Text(heading);
   }
+  std::string Group() const { return form == Form::kBox ? "boxes" : "others"; }
 };
 
 Load LoadOf(int index) {
-  constexpr std::array kForms = {Form::kBox, Form::kHull, Form::kCylinder};
+  constexpr std::array kForms = {Form::kBox, Form::kBox, Form::kHull, Form::kBox, Form::kCylinder};
   constexpr std::array<double, 3> kHalves = {0.25, 0.1, 0.5};
   constexpr std::array<double, 3> kMasses = {1, 0.2, 30};
   constexpr std::array<double, 3> kFrictions = {0.5, 0.3, 0.8};
   const std::size_t i = static_cast<std::size_t>(index);
-  return {kForms[i % 3], kHalves[(i + i / 3) % 3], kMasses[(i + i / 2) % 3], kFrictions[i / 2 % 3], HeadingOf(index)};
+  return {kForms[i % 5], kHalves[(i + i / 3) % 3], kMasses[(i + i / 2) % 3], kFrictions[i / 2 % 3], HeadingOf(index)};
 }
 
 btRigidBody& AddLoad(Lab& lab, const Load& load) {
@@ -144,7 +145,7 @@ Sample MeasureBelt(const Conditions& conditions, const Load& load, BeltDrive dri
   }
   const double way = Along(PositionOf(body) - start, load.heading);
   return RelativeToTheory(load.Name() + ", belt by " + NameOf(drive) + ", " + Text(speed) + " m/s",
-                          way / (measured * lab.dt()) / speed, 1);
+                          way / (measured * lab.dt()) / speed, 1, load.Group());
 }
 
 /// Share of the support's way by which the load is dragged along, when it is put aside without a velocity.
@@ -164,10 +165,121 @@ Sample MeasureTeleport(const Conditions& conditions, const Load& load, bool is_k
     lab.Run(kPause);
   }
   return {load.Name() + (is_kinematic ? ", kinematic" : ", static") + " support put aside by " + Text(offset) + " m",
-          Along(PositionOf(body) - start, load.heading) / (kRepeats * offset), 0, 1};
+          Along(PositionOf(body) - start, load.heading) / (kRepeats * offset), 0, 1, load.Group()};
+}
+
+/// Way of a platform along x of its heading, and up, by time; from rest.
+struct Motion {
+  std::string name;
+  double frequency;                // Hz
+  double forward, second, upward;  // Amplitudes of the first and second harmonic, and of the rise, m.
+
+  double Phase(double time) const { return 2 * kPi * frequency * time; }
+  double Forward(double time) const {
+    return forward * (1 - std::cos(Phase(time))) + second * (1 - std::cos(2 * Phase(time)));
+  }
+  double Upward(double time) const { return upward * (1 - std::cos(Phase(time))); }
+  double ForwardAcceleration(double time) const {
+    const double rate = 2 * kPi * frequency;
+    return rate * rate * (forward * std::cos(Phase(time)) + 4 * second * std::cos(2 * Phase(time)));
+  }
+  double UpwardAcceleration(double time) const {
+    const double rate = 2 * kPi * frequency;
+    return rate * rate * upward * std::cos(Phase(time));
+  }
+};
+
+/// Moves a kinematic platform by its pose, as apps do, and calls visit(time) after each step.
+template <class Visit>
+void Shake(Lab& lab, btRigidBody& platform, const Motion& motion, double heading, double duration, const Visit& visit) {
+  const int steps = lab.StepsIn(duration);
+  for (int step = 1; step <= steps; ++step) {
+    const double time = step * lab.dt();
+    platform.setWorldTransform(
+        SupportPose(Direction(heading) * btScalar(motion.Forward(time)) + Vec(0, 0, motion.Upward(time))));
+    lab.Step();
+    visit(time);
+  }
+}
+
+/// A platform that friction can follow: the load's amplitude over the platform's, and its phase behind it in radians.
+Samples MeasurePlatform(const Conditions& conditions, const Load& load, const Motion& motion) {
+  constexpr double kStartTime = 1, kMeasureTime = 1;  // s; whole periods.
+  Lab lab(conditions);
+  btRigidBody& platform = lab.AddKinematic(MakeSupport(lab), SupportPose(Vec(0, 0, 0)));
+  btRigidBody& body = AddLoad(lab, load);
+  lab.Run(kSettleTime);
+  const btVector3 start = PositionOf(body);
+  std::complex<double> of_load = 0, of_platform = 0;
+  Shake(lab, platform, motion, load.heading, kStartTime + kMeasureTime, [&](double time) {
+    if (time < kStartTime + 0.5 * lab.dt()) return;
+    const std::complex<double> turning = std::polar(1.0, -motion.Phase(time));
+    of_load += Along(PositionOf(body) - start, load.heading) * turning;
+    of_platform += motion.Forward(time) * turning;
+  });
+  const std::complex<double> ratio = of_load / of_platform;
+  const std::string name = load.Name() + ", " + motion.name;
+  return {RelativeToTheory(name + ": amplitude", std::abs(ratio), 1, load.Group()),
+          Sample{name + ": phase, rad", std::arg(ratio), 0, 1, load.Group()}};
+}
+
+/// A platform on which the load slips forth more than back: speed of transport.
+Sample MeasureFeeder(const Conditions& conditions, const Load& load, const Motion& motion) {
+  constexpr double kStartTime = 1, kMeasureTime = 2;  // s; whole periods.
+  Slip started;
+  const Slip ended = IntegrateSlip(
+      kStartTime + kMeasureTime, [&](double time) { return -motion.ForwardAcceleration(time); },
+      [&](double time) { return load.friction * (kGravity + motion.UpwardAcceleration(time)); },
+      [&](double time, const Slip& slip) {
+        if (time <= kStartTime) started = slip;
+      });
+  Lab lab(conditions);
+  btRigidBody& platform = lab.AddKinematic(MakeSupport(lab), SupportPose(Vec(0, 0, 0)));
+  btRigidBody& body = AddLoad(lab, load);
+  lab.Run(kSettleTime);
+  btVector3 from = PositionOf(body);
+  Shake(lab, platform, motion, load.heading, kStartTime + kMeasureTime, [&](double time) {
+    if (time < kStartTime + 0.5 * lab.dt()) from = PositionOf(body);
+  });
+  return RelativeToTheory(load.Name() + ", " + motion.name + ": m/s",
+                          Along(PositionOf(body) - from, load.heading) / kMeasureTime,
+                          (ended.way - started.way) / kMeasureTime, load.Group());
+}
+
+/// With this acceleration at most forward, by the first harmonic and the second alike, or along a slanted line.
+Motion TwoHarmonics(double frequency, double acceleration) {
+  const double rate = 2 * kPi * frequency, amplitude = acceleration / 2 / (rate * rate);
+  return {Text(frequency) + " Hz, two harmonics", frequency, amplitude, amplitude / 4, 0};
+}
+Motion Slanted(double frequency, double upward_acceleration, double slope) {
+  const double rate = 2 * kPi * frequency, upward = upward_acceleration / (rate * rate);
+  return {Text(frequency) + " Hz, slanted", frequency, upward / std::tan(slope), 0, upward};
 }
 
 }  // namespace
+
+Samples MeasurePlatform(const Conditions& conditions) {
+  Samples samples;
+  for (const int i : SelectIndices(conditions, 8, 3)) {
+    const double frequency = i % 2 == 0 ? 6 : 3;
+    const Motion motion = {Text(frequency) + " Hz", frequency, i % 4 < 2 ? 2e-3 : 2e-4, 0, 0};
+    AddTo(samples, MeasurePlatform(conditions, LoadOf(i), motion));
+  }
+  return samples;
+}
+
+Samples MeasureFeeder(const Conditions& conditions) {
+  Samples samples;
+  for (const int i : SelectIndices(conditions, 8, 3)) {
+    Load load = LoadOf(i);
+    load.form = i % 4 == 3 ? Form::kCylinder : Form::kBox;
+    const double frequency = i % 4 < 2 ? 10 : 5;
+    const Motion motion =
+        i % 2 == 0 ? TwoHarmonics(frequency, 2.2 * load.friction * kGravity) : Slanted(frequency, 0.7 * kGravity, 0.5);
+    samples.push_back(MeasureFeeder(conditions, load, motion));
+  }
+  return samples;
+}
 
 Samples MeasureBelt(const Conditions& conditions) {
   constexpr std::array<double, 6> kSpeeds = {0.002, 0.5, 0.05, 1, 0.01, 0.1};  // m/s
@@ -182,7 +294,7 @@ Samples MeasureBelt(const Conditions& conditions) {
 
 Samples MeasureTeleport(const Conditions& conditions) {
   Samples samples;
-  for (const int i : SelectIndices(conditions, 8, 3)) {
+  for (const int i : SelectIndices(conditions, 10, 3)) {
     samples.push_back(MeasureTeleport(conditions, LoadOf(i), i % 2 == 1, i % 4 < 2 ? 1e-4 : 3e-5));
   }
   return samples;

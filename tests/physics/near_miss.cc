@@ -43,7 +43,133 @@ Sample MeasureNearRod(const Conditions& conditions, const NearRod& it) {
                           double(body.getAngularVelocity().z()) / it.spin, 1);
 }
 
+/// How much a free flight was disturbed: change of the velocity, and of the spin at the rim, over the speed.
+double DisturbanceOf(const btRigidBody& body, const btVector3& velocity, const btVector3& spin, double half) {
+  const double change = double((body.getLinearVelocity() - velocity).length2()) +
+                        half * half * double((body.getAngularVelocity() - spin).length2());
+  return std::sqrt(change / double(velocity.length2()));
+}
+
+struct Graze {
+  Form form;
+  double half;       // m
+  double clearance;  // m
+  double speed;      // m/s
+  double spin;       // About the normal of the faces that pass each other, rad/s.
+  bool is_free;      // Whether the body that is passed is a free one.
+  int index;
+};
+
+std::vector<Graze> GrazeCases() {
+  constexpr std::array kForms = {Form::kBox, Form::kHull, Form::kCylinder};
+  constexpr std::array<double, 4> kClearances = {0.001, 0.015, 0.004, 0.008};
+  constexpr std::array<double, 5> kSpeeds = {1, 10, 3, 0.5, 30};
+  constexpr std::array<double, 3> kSpins = {0, 3, 10};
+  constexpr std::array<double, 3> kHalves = {0.25, 0.1, 0.5};
+  std::vector<Graze> cases;
+  for (int i = 0; i < 24; ++i) {
+    const std::size_t j = static_cast<std::size_t>(i);
+    cases.push_back({kForms[j % 3], kHalves[(j + j / 3) % 3], kClearances[j % 4], kSpeeds[j % 5],
+                     kSpins[(j + j / 6) % 3], i % 2 == 1, i});
+  }
+  return cases;
+}
+
+/// A body flies past another, face along face.
+Sample MeasureGraze(const Conditions& conditions, const Graze& it) {
+  Lab lab(conditions, 0);
+  const btQuaternion turn(Vec(0.6, 0.48, 0.64), btScalar(0.5 * (it.index % 4)));
+  const btTransform frame = At(Vec(0, 0, 0), turn);
+  btConvexShape& shape = lab.MakeForm(it.form, it.half);
+  btConvexShape& other = lab.Make<btBoxShape>(Vec(2 * it.half, it.half, it.half));
+  const btTransform other_pose = frame * At(Vec(0, 0, -it.half), Yaw(HeadingOf(it.index) + 0.3));
+  btRigidBody& passed = it.is_free ? lab.AddBody(other, 1, other_pose) : lab.AddStatic(other, other_pose);
+  const double distance = 4 * it.half + it.speed * lab.dt() * PhaseOf(it.index);
+  const btVector3 direction = Direction(HeadingOf(it.index));
+  const btVector3 start = direction * btScalar(-distance) + Vec(0, 0, FootOf(shape) + it.clearance);
+  btRigidBody& body = lab.AddBody(shape, 1, frame * At(start), {.friction = 0.5});
+  const btVector3 velocity = quatRotate(turn, direction * btScalar(it.speed));
+  const btVector3 spin = quatRotate(turn, Vec(0, 0, it.spin));
+  body.setLinearVelocity(velocity);
+  body.setAngularVelocity(spin);
+  lab.Run(2 * distance / it.speed);
+  const double passed_speed = double(passed.getLinearVelocity().length()) / it.speed;
+  return {NameOf(it.form) + " " + Text(it.half) + " m, " + Text(it.clearance) + " m clear, " + Text(it.speed) +
+              " m/s, " + Text(it.spin) + " rad/s" + (it.is_free ? ", past a free box" : ""),
+          std::hypot(DisturbanceOf(body, velocity, spin, it.half), passed_speed),
+          0,
+          1,
+          {}};
+}
+
+struct PastEdge {
+  Form form;
+  double half;       // m
+  double clearance;  // m
+  double speed;      // m/s
+  double slope;      // Of the way, below the horizontal, radians.
+  Ground obstacle;   // A box, or a mesh that ends.
+  int index;
+};
+
+std::vector<PastEdge> PastEdgeCases() {
+  constexpr std::array kForms = {Form::kBox, Form::kSphere, Form::kHull, Form::kCapsule, Form::kCylinder};
+  constexpr std::array<double, 4> kClearances = {0.002, 0.03, 0.005, 0.012};
+  constexpr std::array<double, 5> kSpeeds = {5, 100, 1, 20, 50};
+  constexpr std::array<double, 3> kSlopes = {0.7, 0.3, 1.1};
+  constexpr std::array<double, 3> kHalves = {0.1, 0.25, 0.05};
+  std::vector<PastEdge> cases;
+  for (int i = 0; i < 60; ++i) {
+    const std::size_t j = static_cast<std::size_t>(i);
+    cases.push_back({kForms[j % 5], kHalves[(j + j / 3) % 3], kClearances[j % 4], kSpeeds[(j + j / 5) % 5],
+                     kSlopes[(j + j / 6) % 3], i % 4 == 3 ? Ground::kMesh : Ground::kBox, i});
+  }
+  return cases;
+}
+
+/// A body flies down past the edge of ground. The plane through the edge and along the way parts it from the ground:
+/// all of the ground lies below, and all of the body above by the clearance.
+Sample MeasurePastEdge(const Conditions& conditions, const PastEdge& it) {
+  constexpr double kRange = 0.6;  // m
+  Lab lab(conditions, 0);
+  const Grid grid = {.cells = 4, .pitch = 0.5};
+  const btTransform frame = At(Vec(0, 0, 0), Yaw(HeadingOf(it.index)));
+  lab.AddGround(it.obstacle, frame * At(Vec(-0.5 * grid.cells * grid.pitch, 0.13, 0)), grid);
+  const btVector3 along = quatRotate(frame.getRotation(), Vec(std::cos(it.slope), 0, -std::sin(it.slope)));
+  const btVector3 normal = quatRotate(frame.getRotation(), Vec(std::sin(it.slope), 0, std::cos(it.slope)));
+  btConvexShape& shape = lab.MakeForm(it.form, it.half);
+  // Any orientation, a corner, an edge or a face ahead.
+  const btQuaternion rotation(Vec(0.48, 0.6, 0.64), btScalar(1.3 * (it.index % 5)));
+  const double reach = ExtentOf(shape, quatRotate(rotation.inverse(), -normal));
+  const double start = kRange + it.speed * lab.dt() * (1 + PhaseOf(it.index));
+  btRigidBody& body =
+      lab.AddBody(shape, 1, At(normal * btScalar(reach + it.clearance) - along * btScalar(start), rotation));
+  const btVector3 velocity = along * btScalar(it.speed);
+  body.setLinearVelocity(velocity);
+  lab.Run((start + kRange) / it.speed);
+  return {NameOf(it.form) + " " + Text(it.half) + " m past " + NameOf(it.obstacle) + ", " + Text(it.clearance) +
+              " m clear, " + Text(it.speed) + " m/s, slope " + Text(it.slope),
+          DisturbanceOf(body, velocity, Vec(0, 0, 0), it.half),
+          0,
+          1,
+          {}};
+}
+
 }  // namespace
+
+Samples MeasureGraze(const Conditions& conditions) {
+  Samples samples;
+  for (const Graze& it : SelectCases(conditions, GrazeCases(), 5)) samples.push_back(MeasureGraze(conditions, it));
+  return samples;
+}
+
+Samples MeasurePastEdge(const Conditions& conditions) {
+  Samples samples;
+  for (const PastEdge& it : SelectCases(conditions, PastEdgeCases(), 7)) {
+    samples.push_back(MeasurePastEdge(conditions, it));
+  }
+  return samples;
+}
 
 Samples MeasureNearRod(const Conditions& conditions) {
   const std::vector<NearRod> cases = {{Rod::kCapsule, Rod::kCapsule, 0.5, 0.05, 0, 5e-4, 3, 0},

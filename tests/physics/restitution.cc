@@ -43,6 +43,12 @@ std::vector<HeadOn> HeadOnCases() {
   return cases;
 }
 
+std::string GroupOf(Form first, Form second) {
+  if (first != second) return "others";
+  if (first == Form::kSphere || first == Form::kCapsule) return "balls, capsules";
+  return first == Form::kBox ? "boxes" : "others";
+}
+
 /// Speed at which the two part, over that at which they met.
 Sample MeasureHeadOn(const Conditions& conditions, const HeadOn& it) {
   Lab lab(conditions, 0);
@@ -63,7 +69,7 @@ Sample MeasureHeadOn(const Conditions& conditions, const HeadOn& it) {
   const double parting = double((second.getLinearVelocity() - first.getLinearVelocity()).dot(axis));
   return RelativeToTheory(NameOf(it.first) + " on " + NameOf(it.second) + " " + Text(it.half) + " m, " +
                               Text(it.speed) + " m/s, mass " + Text(it.mass_ratio) + ", e " + Text(it.restitution),
-                          parting / it.speed, it.restitution);
+                          parting / it.speed, it.restitution, GroupOf(it.first, it.second));
 }
 
 struct Bounce {
@@ -116,7 +122,7 @@ Sample MeasureBounce(const Conditions& conditions, const Bounce& it) {
   }
   return RelativeToTheory(NameOf(it.form) + " " + Text(it.half) + " m on " + NameOf(it.ground) + " from " +
                               Text(height) + " m, e " + Text(it.restitution),
-                          top, it.restitution * it.restitution * height);
+                          top, it.restitution * it.restitution * height, NameOf(it.form));
 }
 
 struct Gas {
@@ -270,7 +276,7 @@ Samples MeasureCradle(const Conditions& conditions, const Cradle& it) {
   }
   const std::string name = Text(it.balls) + " balls of " + Text(it.radius) + " m, " + Text(it.speed) +
                            " m/s, gaps of " + Text(it.gap) + " steps";
-  if (it.gap > 0) return {Sample{name + ": velocities", std::sqrt(squares), 0, 1}};
+  if (it.gap > 0) return {Sample{name + ": velocities", std::sqrt(squares), 0, 1, {}}};
   return {RelativeToTheory(name + ": momentum", momentum, 1), RelativeToTheory(name + ": energy", energy, 1)};
 }
 
@@ -299,7 +305,7 @@ Samples MeasureBounce(const Conditions& conditions) {
 Samples MeasureObliqueBounce(const Conditions& conditions) {
   Samples samples;
   for (const ObliqueBounce& it : SelectCases(conditions, ObliqueBounceCases(), 5)) {
-    for (Sample& sample : MeasureObliqueBounce(conditions, it)) samples.push_back(std::move(sample));
+    AddTo(samples, MeasureObliqueBounce(conditions, it));
   }
   return samples;
 }
@@ -307,7 +313,7 @@ Samples MeasureObliqueBounce(const Conditions& conditions) {
 Samples MeasureCradle(const Conditions& conditions) {
   Samples samples;
   for (const Cradle& it : SelectCases(conditions, CradleCases(), 3)) {
-    for (Sample& sample : MeasureCradle(conditions, it)) samples.push_back(std::move(sample));
+    AddTo(samples, MeasureCradle(conditions, it));
   }
   return samples;
 }

@@ -128,7 +128,7 @@ Sample MeasureMeshSeams(const Conditions& conditions, const MeshSeams& it) {
   return RelativeToTheory(NameOf(it.form) + " " + Text(it.half) + " m over " + NameOf(it.ground) + " of " +
                               Text(it.grid.pitch) + " m, " + Text(it.ride.speed) + " m/s, heading " +
                               Text(it.ride.heading),
-                          kept, 1);
+                          kept, 1, NameOf(it.form));
 }
 
 }  // namespace

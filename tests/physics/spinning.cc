@@ -63,7 +63,53 @@ Sample MeasureDisc(const Conditions& conditions, const DiscCase& it, double seco
   return RelativeToTheory(it.Name(), DiscEnergy(body, it.half_thickness) / before, 1);
 }
 
+/// A ball, or a cylinder that lies across its way: kinetic energy kept.
+Sample MeasureRolling(const Conditions& conditions, bool is_ball, Ground ground, double radius, double speed,
+                      int index) {
+  constexpr double kDuration = 4;  // s
+  Lab lab(conditions);
+  lab.AddGround(ground, btTransform::getIdentity(), {.cells = 40, .pitch = 0.7});
+  btConvexShape& shape = is_ball ? static_cast<btConvexShape&>(lab.Make<btSphereShape>(btScalar(radius)))
+                                 : lab.Make<btCylinderShape>(Vec(radius, 0.8 * radius, radius));
+  const double heading = HeadingOf(index);
+  const btVector3 start = Direction(heading) * btScalar(-0.5 * speed * kDuration) + Vec(0.23, 0.31, radius);
+  btRigidBody& body = lab.AddBody(shape, 1, At(start, Yaw(heading)), {.friction = 0.5});
+  body.setLinearVelocity(Direction(heading) * btScalar(speed));
+  body.setAngularVelocity(Vec(0, 0, 1).cross(Direction(heading)) * btScalar(speed / radius));
+  const double before = KineticEnergyOf(body);
+  lab.Run(kDuration);
+  return RelativeToTheory(std::string(is_ball ? "ball" : "cylinder") + " of " + Text(radius) + " m on " +
+                              NameOf(ground) + ", " + Text(speed) + " m/s, heading " + Text(heading),
+                          KineticEnergyOf(body) / before, 1, is_ball ? "balls" : "cylinders");
+}
+
 }  // namespace
+
+Samples MeasureDiscCircle(const Conditions& conditions) {
+  constexpr double kDuration = 3;  // s
+  const std::vector<DiscCase> cases = {
+      {0.4, 0.05, 0, 1.3, 1.5, Ground::kPlane, 0},     {0.4, 0.05, 0, 1.3, 1.5, Ground::kBox, 1},
+      {0.2, 0.02, 0, 1.2, 3, Ground::kPlane, 2},       {0.2, 0.02, 0.001, 1.1, 4, Ground::kBox, 3},
+      {0.8, 0.1, 0.001, 1.25, 1.2, Ground::kPlane, 1}, {0.8, 0.1, 0, 1.35, 0.8, Ground::kBox, 2}};
+  Samples samples;
+  for (const DiscCase& it : SelectCases(conditions, cases, 3)) {
+    samples.push_back(MeasureDisc(conditions, it, kDuration));
+  }
+  return samples;
+}
+
+Samples MeasureRolling(const Conditions& conditions) {
+  constexpr std::array kGrounds = {Ground::kPlane, Ground::kBox, Ground::kMesh, Ground::kHeightfield};
+  constexpr std::array<double, 3> kRadii = {0.25, 0.1, 0.5};  // m
+  constexpr std::array<double, 3> kSpeeds = {1, 3, 0.5};      // m/s
+  Samples samples;
+  for (const int i : SelectIndices(conditions, 16, 3)) {
+    const std::size_t j = static_cast<std::size_t>(i);
+    samples.push_back(
+        MeasureRolling(conditions, i % 2 == 0, kGrounds[j / 2 % 4], kRadii[j % 3], kSpeeds[(j + j / 3) % 3], i));
+  }
+  return samples;
+}
 
 Samples MeasureEulerDisc(const Conditions& conditions) {
   constexpr double kDuration = 5;  // s
