@@ -61,7 +61,7 @@ template void CommandLine::AddNumber(const std::string&, const std::string&, dou
 
 void CommandLine::AddNumbers(const std::string& name, const std::string& kind, std::vector<double>& values,
                              const Limits<double>& limits, const std::string& help) {
-  parser_->Add(name, kind, values, help).check(Within(limits))->capture_default_str();
+  parser_->Add(name, kind, values, help).delimiter(',')->check(Within(limits))->capture_default_str();
 }
 
 void CommandLine::AddNumber(const std::string& name, const std::string& kind, std::optional<double>& value,

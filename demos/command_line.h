@@ -33,6 +33,7 @@ class CommandLine {
   template <class Number>
   void AddNumber(const std::string& name, const std::string& kind, Number& value,
                  const Limits<std::type_identity_t<Number>>& limits, const std::string& help);
+  /// Some numbers, with commas or spaces between them.
   void AddNumbers(const std::string& name, const std::string& kind, std::vector<double>& values,
                   const Limits<double>& limits, const std::string& help);
   /// Any number, or none.

@@ -210,7 +210,7 @@ Sample MeasureTorsion(const Conditions& conditions, const Block& block, double s
 Samples MeasureTorsion(const Conditions& conditions) {
   constexpr std::array<double, 5> kSpins = {2, 10, 0.5, 5, 1};  // rad/s
   Samples samples;
-  for (const int i : SelectIndices(conditions, 10, 3)) {
+  for (const int i : SelectIndices(conditions, 20, 7)) {
     samples.push_back(MeasureTorsion(conditions, BoxOf(i), kSpins[static_cast<std::size_t>(i) % kSpins.size()]));
   }
   return samples;
@@ -219,7 +219,7 @@ Samples MeasureTorsion(const Conditions& conditions) {
 Samples MeasureSlide(const Conditions& conditions) {
   constexpr std::array<double, 7> kSpeeds = {0.05, 1, 0.2, 3, 0.1, 0.4, 2};  // m/s
   Samples samples;
-  for (const int i : SelectIndices(conditions, 36, 5)) {
+  for (const int i : SelectIndices(conditions, 72, 11)) {
     const Block block = i % 4 == 3 ? BoxOf(2 * i) : BlockOf(i);
     samples.push_back(MeasureSlide(conditions, block, kSpeeds[static_cast<std::size_t>(i) % kSpeeds.size()]));
   }
@@ -229,7 +229,7 @@ Samples MeasureSlide(const Conditions& conditions) {
 Samples MeasureSwingForce(const Conditions& conditions) {
   constexpr std::array<double, 4> kFrequencies = {2, 10, 5, 3};  // Hz
   Samples samples;
-  for (const int i : SelectIndices(conditions, 12, 5)) {
+  for (const int i : SelectIndices(conditions, 20, 7)) {
     const Block block = BoxOf(i);
     const double frequency = kFrequencies[static_cast<std::size_t>(i + i / 4) % kFrequencies.size()];
     AddTo(samples, MeasureSwingForce(conditions, block, frequency));
@@ -239,7 +239,7 @@ Samples MeasureSwingForce(const Conditions& conditions) {
 
 Samples MeasureTaps(const Conditions& conditions) {
   Samples samples;
-  for (const int i : SelectIndices(conditions, 9, 4)) {
+  for (const int i : SelectIndices(conditions, 18, 5)) {
     samples.push_back(MeasureTaps(conditions, i % 3 == 2 ? BlockOf(i) : BoxOf(i)));
   }
   return samples;
@@ -249,7 +249,7 @@ Samples MeasureIncline(const Conditions& conditions) {
   constexpr std::array<double, 3> kShares = {0.4, 0.8, 0.95};     // Of the friction angle.
   constexpr std::array<double, 3> kExcesses = {0.05, 0.15, 0.3};  // Over it, radians.
   Samples samples;
-  for (const int i : SelectIndices(conditions, 12, 5)) {
+  for (const int i : SelectIndices(conditions, 24, 7)) {
     const std::size_t j = static_cast<std::size_t>(i);
     const Block held = i % 3 == 2 ? BoxOf(2 * i) : BlockOf(i), sliding = i % 3 == 1 ? BoxOf(2 * i) : BlockOf(i + 4);
     samples.push_back(MeasureHold(conditions, held, kShares[j % 3]));

@@ -260,7 +260,7 @@ Motion Slanted(double frequency, double upward_acceleration, double slope) {
 
 Samples MeasurePlatform(const Conditions& conditions) {
   Samples samples;
-  for (const int i : SelectIndices(conditions, 8, 3)) {
+  for (const int i : SelectIndices(conditions, 16, 7)) {
     const double frequency = i % 2 == 0 ? 6 : 3;
     const Motion motion = {Text(frequency) + " Hz", frequency, i % 4 < 2 ? 2e-3 : 2e-4, 0, 0};
     AddTo(samples, MeasurePlatform(conditions, LoadOf(i), motion));
@@ -270,7 +270,7 @@ Samples MeasurePlatform(const Conditions& conditions) {
 
 Samples MeasureFeeder(const Conditions& conditions) {
   Samples samples;
-  for (const int i : SelectIndices(conditions, 8, 3)) {
+  for (const int i : SelectIndices(conditions, 16, 7)) {
     Load load = LoadOf(i);
     load.form = i % 4 == 3 ? Form::kCylinder : Form::kBox;
     const double frequency = i % 4 < 2 ? 10 : 5;
@@ -285,7 +285,7 @@ Samples MeasureBelt(const Conditions& conditions) {
   constexpr std::array<double, 6> kSpeeds = {0.002, 0.5, 0.05, 1, 0.01, 0.1};  // m/s
   constexpr std::array kDrives = {BeltDrive::kTickCallback, BeltDrive::kPreviousPose, BeltDrive::kContactCallback};
   Samples samples;
-  for (const int i : SelectIndices(conditions, 18, 4)) {
+  for (const int i : SelectIndices(conditions, 36, 7)) {
     const std::size_t j = static_cast<std::size_t>(i);
     samples.push_back(MeasureBelt(conditions, LoadOf(i), kDrives[(j + j / 6) % 3], kSpeeds[j % 6]));
   }
@@ -294,7 +294,7 @@ Samples MeasureBelt(const Conditions& conditions) {
 
 Samples MeasureTeleport(const Conditions& conditions) {
   Samples samples;
-  for (const int i : SelectIndices(conditions, 10, 3)) {
+  for (const int i : SelectIndices(conditions, 20, 7)) {
     samples.push_back(MeasureTeleport(conditions, LoadOf(i), i % 2 == 1, i % 4 < 2 ? 1e-4 : 3e-5));
   }
   return samples;

@@ -67,7 +67,7 @@ std::vector<Graze> GrazeCases() {
   constexpr std::array<double, 3> kSpins = {0, 3, 10};
   constexpr std::array<double, 3> kHalves = {0.25, 0.1, 0.5};
   std::vector<Graze> cases;
-  for (int i = 0; i < 24; ++i) {
+  for (int i = 0; i < 72; ++i) {
     const std::size_t j = static_cast<std::size_t>(i);
     cases.push_back({kForms[j % 3], kHalves[(j + j / 3) % 3], kClearances[j % 4], kSpeeds[j % 5],
                      kSpins[(j + j / 6) % 3], i % 2 == 1, i});
@@ -119,7 +119,7 @@ std::vector<PastEdge> PastEdgeCases() {
   constexpr std::array<double, 3> kSlopes = {0.7, 0.3, 1.1};
   constexpr std::array<double, 3> kHalves = {0.1, 0.25, 0.05};
   std::vector<PastEdge> cases;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 180; ++i) {
     const std::size_t j = static_cast<std::size_t>(i);
     cases.push_back({kForms[j % 5], kHalves[(j + j / 3) % 3], kClearances[j % 4], kSpeeds[(j + j / 5) % 5],
                      kSlopes[(j + j / 6) % 3], i % 4 == 3 ? Ground::kMesh : Ground::kBox, i});
@@ -132,9 +132,12 @@ std::vector<PastEdge> PastEdgeCases() {
 Sample MeasurePastEdge(const Conditions& conditions, const PastEdge& it) {
   constexpr double kRange = 0.6;  // m
   Lab lab(conditions, 0);
+  constexpr double kMargin = 1e-3;  // m: its edge is nearly sharp, and the clearance not much larger than it says.
   const Grid grid = {.cells = 4, .pitch = 0.5};
   const btTransform frame = At(Vec(0, 0, 0), Yaw(HeadingOf(it.index)));
-  lab.AddGround(it.obstacle, frame * At(Vec(-0.5 * grid.cells * grid.pitch, 0.13, 0)), grid);
+  lab.AddGround(it.obstacle, frame * At(Vec(-0.5 * grid.cells * grid.pitch, 0.13, 0)), grid)
+      .getCollisionShape()
+      ->setMargin(btScalar(it.obstacle == Ground::kMesh ? 0 : kMargin));
   const btVector3 along = quatRotate(frame.getRotation(), Vec(std::cos(it.slope), 0, -std::sin(it.slope)));
   const btVector3 normal = quatRotate(frame.getRotation(), Vec(std::sin(it.slope), 0, std::cos(it.slope)));
   btConvexShape& shape = lab.MakeForm(it.form, it.half);
@@ -159,13 +162,13 @@ Sample MeasurePastEdge(const Conditions& conditions, const PastEdge& it) {
 
 Samples MeasureGraze(const Conditions& conditions) {
   Samples samples;
-  for (const Graze& it : SelectCases(conditions, GrazeCases(), 5)) samples.push_back(MeasureGraze(conditions, it));
+  for (const Graze& it : SelectCases(conditions, GrazeCases(), 7)) samples.push_back(MeasureGraze(conditions, it));
   return samples;
 }
 
 Samples MeasurePastEdge(const Conditions& conditions) {
   Samples samples;
-  for (const PastEdge& it : SelectCases(conditions, PastEdgeCases(), 7)) {
+  for (const PastEdge& it : SelectCases(conditions, PastEdgeCases(), 11)) {
     samples.push_back(MeasurePastEdge(conditions, it));
   }
   return samples;
@@ -179,9 +182,15 @@ Samples MeasureNearRod(const Conditions& conditions) {
                                       {Rod::kBox, Rod::kBox, 1, 0.1, 0.5, 5e-4, 5, 2},
                                       {Rod::kCapsule, Rod::kCapsule, 1, 0.1, 0.6, 5e-4, 2, 1},
                                       {Rod::kBox, Rod::kBox, 0.2, 0.02, 0.1, 5e-4, 3, 3},
-                                      {Rod::kCapsule, Rod::kCapsule, 0.2, 0.01, 0.05, 2e-3, 6, 0}};
+                                      {Rod::kCapsule, Rod::kCapsule, 0.2, 0.01, 0.05, 2e-3, 6, 0},
+                                      {Rod::kBox, Rod::kBox, 0.5, 0.05, 0.4, 5e-4, 3, 0},
+                                      {Rod::kCapsule, Rod::kBox, 0.5, 0.05, 0, 5e-4, 3, 1},
+                                      {Rod::kBox, Rod::kCapsule, 1, 0.05, 0.7, 5e-4, 3, 2},
+                                      {Rod::kCapsule, Rod::kCapsule, 0.5, 0.02, 0.3, 5e-4, 3, 3},
+                                      {Rod::kBox, Rod::kBox, 1, 0.05, 0, 1e-3, 8, 1},
+                                      {Rod::kBox, Rod::kBox, 0.3, 0.05, 0.2, 2e-4, 3, 2}};
   Samples samples;
-  for (const NearRod& it : SelectCases(conditions, cases, 3)) samples.push_back(MeasureNearRod(conditions, it));
+  for (const NearRod& it : SelectCases(conditions, cases, 4)) samples.push_back(MeasureNearRod(conditions, it));
   return samples;
 }
 

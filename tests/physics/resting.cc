@@ -243,13 +243,13 @@ std::vector<Shot> Shots() {
 
 Samples MeasureDropDead(const Conditions& conditions) {
   Samples samples;
-  for (const int i : SelectIndices(conditions, 32, 7)) samples.push_back(MeasureDropDead(conditions, DropOf(i)));
+  for (const int i : SelectIndices(conditions, 64, 11)) samples.push_back(MeasureDropDead(conditions, DropOf(i)));
   return samples;
 }
 
 Samples MeasureRest(const Conditions& conditions) {
   Samples samples;
-  for (const int i : SelectIndices(conditions, 24, 7)) {
+  for (const int i : SelectIndices(conditions, 48, 11)) {
     const Drop drop = DropOf(i);
     if (drop.form != Form::kSphere) samples.push_back(MeasureRest(conditions, drop));
   }

@@ -41,7 +41,7 @@ std::vector<BoxSeams> BoxSeamsCases() {
   std::vector<BoxSeams> cases;
   for (const double margin : {0.04, 0.001}) {
     for (const double speed : kSpeeds) {
-      for (int round = 0; round < 2; ++round) {
+      for (int round = 0; round < 4; ++round) {
         const std::size_t i = cases.size();
         const auto& [tile, thickness, half] = kSizes[i % 3];
         // Seams are met at other moments of a step each time.
@@ -100,12 +100,12 @@ std::vector<MeshSeams> MeshSeamsCases() {
   constexpr std::array<double, 4> kSpeeds = {1, 5, 2, 3};  // m/s
   constexpr std::array<double, 3> kHalves = {0.25, 0.5, 0.1};
   std::vector<MeshSeams> cases;
-  for (int round = 0; round < 2; ++round) {
+  for (int round = 0; round < 4; ++round) {
     for (const Ground ground : {Ground::kMesh, Ground::kHeightfield}) {
       for (const double pitch : kPitches) {
         for (const Form form : kForms) {
           const std::size_t i = cases.size();
-          const Grid grid = {.cells = 2 * static_cast<int>(5 / pitch), .pitch = pitch, .alternates = round == 1};
+          const Grid grid = {.cells = 2 * static_cast<int>(5 / pitch), .pitch = pitch, .alternates = round % 2 == 1};
           const double speed = kSpeeds[(i + i / 4) % 4] * (1 + 0.02 * PhaseOf(static_cast<int>(i)));
           const Ride ride = {speed, 7, HeadingOf(static_cast<int>(i + i / 4))};
           cases.push_back({ground, grid, form, kHalves[(i + i / 3 + i / 9) % 3], ride, static_cast<int>(i)});
@@ -135,7 +135,7 @@ Sample MeasureMeshSeams(const Conditions& conditions, const MeshSeams& it) {
 
 Samples MeasureBoxSeams(const Conditions& conditions) {
   Samples samples;
-  for (const BoxSeams& it : SelectCases(conditions, BoxSeamsCases(), 5)) {
+  for (const BoxSeams& it : SelectCases(conditions, BoxSeamsCases(), 7)) {
     samples.push_back(MeasureBoxSeams(conditions, it));
   }
   return samples;
@@ -143,7 +143,7 @@ Samples MeasureBoxSeams(const Conditions& conditions) {
 
 Samples MeasureMeshSeams(const Conditions& conditions) {
   Samples samples;
-  for (const MeshSeams& it : SelectCases(conditions, MeshSeamsCases(), 7)) {
+  for (const MeshSeams& it : SelectCases(conditions, MeshSeamsCases(), 11)) {
     samples.push_back(MeasureMeshSeams(conditions, it));
   }
   return samples;

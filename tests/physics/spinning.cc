@@ -90,7 +90,9 @@ Samples MeasureDiscCircle(const Conditions& conditions) {
   const std::vector<DiscCase> cases = {
       {0.4, 0.05, 0, 1.3, 1.5, Ground::kPlane, 0},     {0.4, 0.05, 0, 1.3, 1.5, Ground::kBox, 1},
       {0.2, 0.02, 0, 1.2, 3, Ground::kPlane, 2},       {0.2, 0.02, 0.001, 1.1, 4, Ground::kBox, 3},
-      {0.8, 0.1, 0.001, 1.25, 1.2, Ground::kPlane, 1}, {0.8, 0.1, 0, 1.35, 0.8, Ground::kBox, 2}};
+      {0.8, 0.1, 0.001, 1.25, 1.2, Ground::kPlane, 1}, {0.8, 0.1, 0, 1.35, 0.8, Ground::kBox, 2},
+      {0.4, 0.03, 0.001, 1.2, 2, Ground::kPlane, 3},   {0.4, 0.03, 0.001, 1.4, 1, Ground::kBox, 0},
+      {0.3, 0.06, 0, 1.15, 2, Ground::kPlane, 1},      {0.5, 0.05, 0, 1.3, 1.2, Ground::kBox, 2}};
   Samples samples;
   for (const DiscCase& it : SelectCases(conditions, cases, 3)) {
     samples.push_back(MeasureDisc(conditions, it, kDuration));
@@ -103,10 +105,10 @@ Samples MeasureRolling(const Conditions& conditions) {
   constexpr std::array<double, 3> kRadii = {0.25, 0.1, 0.5};  // m
   constexpr std::array<double, 3> kSpeeds = {1, 3, 0.5};      // m/s
   Samples samples;
-  for (const int i : SelectIndices(conditions, 16, 3)) {
+  for (const int i : SelectIndices(conditions, 48, 7)) {
     const std::size_t j = static_cast<std::size_t>(i);
-    samples.push_back(
-        MeasureRolling(conditions, i % 2 == 0, kGrounds[j / 2 % 4], kRadii[j % 3], kSpeeds[(j + j / 3) % 3], i));
+    samples.push_back(MeasureRolling(conditions, i % 2 == 0, kGrounds[j / 2 % 4], kRadii[(j + j / 6) % 3],
+                                     kSpeeds[(j + j / 3) % 3], i));
   }
   return samples;
 }
@@ -114,9 +116,11 @@ Samples MeasureRolling(const Conditions& conditions) {
 Samples MeasureEulerDisc(const Conditions& conditions) {
   constexpr double kDuration = 5;  // s
   const std::vector<DiscCase> cases = {
-      {0.4, 0.05, 0, 0.6, 0, Ground::kPlane, 0},    {0.4, 0.05, 0, 0.6, 0, Ground::kBox, 1},
-      {0.2, 0.02, 0, 0.4, 0, Ground::kPlane, 2},    {0.2, 0.02, 0.001, 0.8, 0, Ground::kBox, 3},
-      {0.8, 0.1, 0.001, 0.6, 0, Ground::kPlane, 1}, {0.8, 0.1, 0, 0.9, 0, Ground::kBox, 2}};
+      {0.4, 0.05, 0, 0.6, 0, Ground::kPlane, 0},     {0.4, 0.05, 0, 0.6, 0, Ground::kBox, 1},
+      {0.2, 0.02, 0, 0.4, 0, Ground::kPlane, 2},     {0.2, 0.02, 0.001, 0.8, 0, Ground::kBox, 3},
+      {0.8, 0.1, 0.001, 0.6, 0, Ground::kPlane, 1},  {0.8, 0.1, 0, 0.9, 0, Ground::kBox, 2},
+      {0.4, 0.03, 0.001, 0.7, 0, Ground::kPlane, 3}, {0.4, 0.03, 0.001, 0.5, 0, Ground::kBox, 0},
+      {0.3, 0.06, 0, 0.8, 0, Ground::kPlane, 1},     {0.5, 0.05, 0, 1, 0, Ground::kBox, 2}};
   Samples samples;
   for (const DiscCase& it : SelectCases(conditions, cases, 3)) {
     samples.push_back(MeasureDisc(conditions, it, kDuration));

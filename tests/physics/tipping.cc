@@ -179,11 +179,11 @@ Samples MeasureRocking(const Conditions& conditions) {
   constexpr std::array<std::array<double, 2>, 3> kHalves = {{{0.1, 0.4}, {0.25, 0.8}, {0.2, 1.2}}};
   constexpr std::array<double, 2> kTilts = {0.5, 0.8};
   Samples samples;
-  for (const int i : SelectIndices(conditions, 12, 5)) {
+  for (const int i : SelectIndices(conditions, 24, 7)) {
     const std::size_t j = static_cast<std::size_t>(i);
     const auto& [half_width, half_height] = kHalves[j % 3];
-    const Rocking it = {half_width, half_height, kTilts[(j + j / 6) % 2], i % 2 == 0 ? Ground::kBox : Ground::kPlane,
-                        i};
+    const Rocking it = {half_width, half_height, kTilts[(j / 3 + j / 12) % 2],
+                        i % 2 == 0 ? Ground::kBox : Ground::kPlane, i};
     samples.push_back(MeasureRocking(conditions, it));
   }
   return samples;
