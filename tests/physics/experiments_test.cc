@@ -1,0 +1,47 @@
+// Every class of experiments, some cases of each: ours against theory, within what the built-in leaves in the same run.
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+
+#include "physics/comparison.h"
+
+namespace dgd_physics {
+
+/// For GoogleTest's messages.
+static void PrintTo(const Experiment& experiment, std::ostream* stream) { *stream << experiment.name; }
+
+namespace {
+
+class ExperimentTest : public testing::TestWithParam<Experiment> {
+ protected:
+  static void ExpectWithinBound(double rate) {
+    const Comparison comparison = Compare(GetParam(), rate, /*is_quick=*/true);
+    ASSERT_FALSE(comparison.ours.empty());
+    ASSERT_EQ(comparison.ours.size(), comparison.builtin.size());
+    EXPECT_LE(comparison.OurError(), comparison.Bound())
+        << "root mean square error; the built-in's: " << comparison.BuiltinError() << '\n'
+        << FormatCases(comparison);
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Physics, ExperimentTest, testing::ValuesIn(Experiments()),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST_P(ExperimentTest, At60Hz_ErrorIsWithinBound) { ExpectWithinBound(60); }
+TEST_P(ExperimentTest, At240Hz_ErrorIsWithinBound) { ExpectWithinBound(240); }
+TEST_P(ExperimentTest, At1000Hz_ErrorIsWithinBound) { ExpectWithinBound(1000); }
+
+// Chance has no part in it: a run can be repeated.
+TEST(Experiment, SameConditions_SameSamplesToTheBit) {
+  for (const Experiment& experiment : Experiments()) {
+    if (experiment.name != "head_on" && experiment.name != "gas" && experiment.name != "taps") continue;
+    const Conditions conditions = {Narrowphase::kOurs, 240, true};
+    const Samples first = experiment.measure(conditions), second = experiment.measure(conditions);
+    ASSERT_EQ(first.size(), second.size());
+    for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(first[i].measured, second[i].measured) << first[i].name;
+  }
+}
+
+}  // namespace
+}  // namespace dgd_physics
