@@ -52,7 +52,7 @@ btRigidBody& AddBlock(Lab& lab, const Block& block) {
   btConvexShape& shape = lab.MakeForm(block.form, block.half);
   // Off the middle of the ground's squares; turned otherwise than it will move.
   const btVector3 position = Vec(0.23, 0.31, FootOf(shape));
-  return lab.AddBody(shape, block.mass, At(position, Yaw(0.7 * block.heading)), {.friction = block.friction});
+  return lab.AddBody(shape, block.mass, At(position, Yaw(0.7 * block.heading)), Surface{.friction = block.friction});
 }
 
 /// Sets a block off. Bullet moves a body by its velocity at the end of each step, which is the true one half a step
@@ -150,7 +150,7 @@ btRigidBody& AddBlockOnSlope(Lab& lab, const Block& block, const Slope& slope) {
   lab.AddGround(block.ground, slope.frame, {.cells = 40});
   btConvexShape& shape = lab.MakeForm(block.form, block.half);
   const btTransform pose = slope.frame * At(Vec(0.23, 0.31, FootOf(shape)), Yaw(0.7 * block.heading));
-  return lab.AddBody(shape, block.mass, pose, {.friction = block.friction});
+  return lab.AddBody(shape, block.mass, pose, Surface{.friction = block.friction});
 }
 
 /// Way in five seconds on a slope that holds, relative to 1 cm: a box that creeps by 2 mm/s has lost all its marks.

@@ -102,7 +102,7 @@ btConvexHullShape& Lab::MakePrism(int sides, double radius, double half_height, 
   return hull;
 }
 
-btRigidBody& Lab::AddBody(btCollisionShape& shape, double mass, const btTransform& pose, const Surface& surface) {
+btRigidBody& Lab::AddBody(btCollisionShape& shape, double mass, const btTransform& pose, Surface surface) {
   btRigidBody& body = world_.Add(shape, mass, pose);
   body.setFriction(btScalar(surface.friction));
   body.setRestitution(btScalar(surface.restitution));
@@ -110,17 +110,17 @@ btRigidBody& Lab::AddBody(btCollisionShape& shape, double mass, const btTransfor
   return body;
 }
 
-btRigidBody& Lab::AddStatic(btCollisionShape& shape, const btTransform& pose, const Surface& surface) {
+btRigidBody& Lab::AddStatic(btCollisionShape& shape, const btTransform& pose, Surface surface) {
   return AddBody(shape, 0, pose, surface);
 }
 
-btRigidBody& Lab::AddKinematic(btCollisionShape& shape, const btTransform& pose, const Surface& surface) {
+btRigidBody& Lab::AddKinematic(btCollisionShape& shape, const btTransform& pose, Surface surface) {
   btRigidBody& body = AddStatic(shape, pose, surface);
   body.setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
   return body;
 }
 
-btRigidBody& Lab::AddGround(Ground ground, const btTransform& frame, const Grid& grid, const Surface& surface) {
+btRigidBody& Lab::AddGround(Ground ground, const btTransform& frame, const Grid& grid, Surface surface) {
   constexpr double kHalfDepth = 1;  // Of a box.
   btTransform pose = frame;
   if (ground == Ground::kBox) pose = frame * At(Vec(0, 0, -kHalfDepth));

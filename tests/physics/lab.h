@@ -65,13 +65,13 @@ class Lab {
   /// A regular prism with upright axis, without its margin.
   btConvexHullShape& MakePrism(int sides, double radius, double half_height, double margin);
 
-  btRigidBody& AddBody(btCollisionShape& shape, double mass, const btTransform& pose, const Surface& surface = {});
-  btRigidBody& AddStatic(btCollisionShape& shape, const btTransform& pose, const Surface& surface = {1, 1});
+  btRigidBody& AddBody(btCollisionShape& shape, double mass, const btTransform& pose, Surface surface = {});
+  btRigidBody& AddStatic(btCollisionShape& shape, const btTransform& pose, Surface surface = {1, 1});
   /// A body moved by the app.
-  btRigidBody& AddKinematic(btCollisionShape& shape, const btTransform& pose, const Surface& surface = {1, 1});
+  btRigidBody& AddKinematic(btCollisionShape& shape, const btTransform& pose, Surface surface = {1, 1});
   /// Flat ground at z = 0 of the frame.
   btRigidBody& AddGround(Ground ground, const btTransform& frame = btTransform::getIdentity(), const Grid& grid = {},
-                         const Surface& surface = {1, 1});
+                         Surface surface = {1, 1});
 
   btDiscreteDynamicsWorld& world() { return world_.world(); }
   dgd_test::TestWorld& test_world() { return world_; }

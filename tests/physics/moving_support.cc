@@ -43,7 +43,7 @@ Load LoadOf(int index) {
 btRigidBody& AddLoad(Lab& lab, const Load& load) {
   btConvexShape& shape = lab.MakeForm(load.form, load.half);
   return lab.AddBody(shape, load.mass, At(Vec(0.1, -0.2, FootOf(shape)), Yaw(0.7 * load.heading)),
-                     {.friction = load.friction});
+                     Surface{.friction = load.friction});
 }
 
 btBoxShape& MakeSupport(Lab& lab) { return lab.Make<btBoxShape>(Vec(8, 8, kSupportHalfDepth)); }

@@ -34,8 +34,9 @@ Sample MeasureNearRod(const Conditions& conditions, const NearRod& it) {
   const double below = 2 * it.radius + it.clearance;
   const btVector3 aside = Direction(heading + kPi / 2) * btScalar(it.offset);
   lab.AddStatic(MakeRod(lab, it.fixed, 2 * it.half_length, it.radius), At(aside - Vec(0, 0, below), Yaw(heading)));
-  btRigidBody& body = lab.AddBody(MakeRod(lab, it.spinning, it.half_length, it.radius), 1,
-                                  At(Vec(0, 0, 0), Yaw(heading + kPi / 2 + PhaseOf(it.index))), {.friction = 0.5});
+  btRigidBody& body =
+      lab.AddBody(MakeRod(lab, it.spinning, it.half_length, it.radius), 1,
+                  At(Vec(0, 0, 0), Yaw(heading + kPi / 2 + PhaseOf(it.index))), Surface{.friction = 0.5});
   body.setAngularVelocity(Vec(0, 0, it.spin));
   lab.Run(kDuration);
   return RelativeToTheory(std::string(it.spinning == Rod::kBox ? "box" : "capsule") + " rod over " +
@@ -87,7 +88,7 @@ Sample MeasureGraze(const Conditions& conditions, const Graze& it) {
   const double distance = 4 * it.half + it.speed * lab.dt() * PhaseOf(it.index);
   const btVector3 direction = Direction(HeadingOf(it.index));
   const btVector3 start = direction * btScalar(-distance) + Vec(0, 0, FootOf(shape) + it.clearance);
-  btRigidBody& body = lab.AddBody(shape, 1, frame * At(start), {.friction = 0.5});
+  btRigidBody& body = lab.AddBody(shape, 1, frame * At(start), Surface{.friction = 0.5});
   const btVector3 velocity = quatRotate(turn, direction * btScalar(it.speed));
   const btVector3 spin = quatRotate(turn, Vec(0, 0, it.spin));
   body.setLinearVelocity(velocity);

@@ -36,7 +36,7 @@ Sample MeasureDropDead(const Conditions& conditions, const Drop& drop) {
   constexpr double kDuration = 0.7;                                 // s, after the impact.
   const double height = kDropHeights[static_cast<std::size_t>(drop.index / 2) % kDropHeights.size()];
   Lab lab(conditions);
-  lab.AddGround(drop.ground, btTransform::getIdentity(), {}, {.friction = 1, .restitution = 0});
+  lab.AddGround(drop.ground, btTransform::getIdentity(), {}, Surface{.friction = 1, .restitution = 0});
   btConvexShape& shape = lab.MakeForm(drop.form, drop.half);
   const double start = height + PhaseOf(drop.index) * std::sqrt(2 * kGravity * height) * lab.dt();
   const btTransform pose = At(Vec(0.23, 0.31, FootOf(shape) + start), Yaw(HeadingOf(drop.index)));
@@ -56,7 +56,7 @@ Sample MeasureRest(const Conditions& conditions, const Drop& drop) {
   constexpr double kSettleTime = 4, kMeasureTime = 1;  // s
   constexpr double kAtRest = 0.05;                     // m/s
   Lab lab(conditions);
-  lab.AddGround(drop.ground, btTransform::getIdentity(), {}, {.friction = 1, .restitution = 0});
+  lab.AddGround(drop.ground, btTransform::getIdentity(), {}, Surface{.friction = 1, .restitution = 0});
   btConvexShape& shape = lab.MakeForm(drop.form, drop.half);
   const btQuaternion tilt(Direction(HeadingOf(drop.index)), btScalar(0.1));
   const btTransform pose = At(Vec(0.23, 0.31, FootOf(shape) + 0.2 * drop.half), tilt * Yaw(0.3 * drop.index));
@@ -167,7 +167,7 @@ Samples MeasureStack(const Conditions& conditions, double half, double mass_rati
   constexpr int kBoxes = 5;
   constexpr double kDuration = 5;  // s
   Lab lab(conditions);
-  lab.AddGround(ground, btTransform::getIdentity(), {}, {.friction = 1, .restitution = 0});
+  lab.AddGround(ground, btTransform::getIdentity(), {}, Surface{.friction = 1, .restitution = 0});
   auto& shape = lab.Make<btBoxShape>(Vec(half, 0.9 * half, 0.8 * half));
   const btTransform frame = At(Vec(0.23, 0.31, 0), Yaw(HeadingOf(index)));
   const btRigidBody* top = nullptr;
@@ -203,7 +203,7 @@ bool GoesThrough(const Conditions& conditions, const Shot& shot, double phase) {
     lab.AddStatic(lab.Make<btBoxShape>(Vec(2, 2, shot.thickness / 2)), frame * At(Vec(0, 0, -shot.thickness / 2)),
                   {1, 0});
   } else {
-    lab.AddGround(shot.plate, frame, {.cells = 8, .pitch = 0.5}, {1, 0});
+    lab.AddGround(shot.plate, frame, {.cells = 8, .pitch = 0.5}, Surface{1, 0});
   }
   const double start = kRange + phase * shot.speed * lab.dt();
   btRigidBody& body = lab.AddBody(lab.MakeForm(shot.form, shot.half), 1, frame * At(Vec(0.13, 0.21, start)));

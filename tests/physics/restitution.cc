@@ -60,10 +60,10 @@ Sample MeasureHeadOn(const Conditions& conditions, const HeadOn& it) {
   btConvexShape& second_shape = lab.MakeForm(it.second, it.half);
   const double gap = 0.05 + it.speed * lab.dt() * (3 + PhaseOf(it.index));
   const double apart = ExtentOf(first_shape, Vec(0, 0, 1)) + ExtentOf(second_shape, Vec(0, 0, -1)) + gap;
-  btRigidBody& first =
-      lab.AddBody(first_shape, 1, At(Vec(0, 0, 0), FromZ(axis)), {.friction = 0.5, .restitution = it.restitution});
+  btRigidBody& first = lab.AddBody(first_shape, 1, At(Vec(0, 0, 0), FromZ(axis)),
+                                   Surface{.friction = 0.5, .restitution = it.restitution});
   btRigidBody& second = lab.AddBody(second_shape, it.mass_ratio, At(axis * btScalar(apart), FromZ(axis)),
-                                    {.friction = 0.5, .restitution = 1});
+                                    Surface{.friction = 0.5, .restitution = 1});
   // Not at rest, either of them.
   first.setLinearVelocity(axis * btScalar(0.7 * it.speed));
   second.setLinearVelocity(axis * btScalar(-0.3 * it.speed));
@@ -111,7 +111,7 @@ Sample MeasureBounce(const Conditions& conditions, const Bounce& it) {
   // From heights within a step's way of each other, off the middle of a square.
   const double height = it.height + PhaseOf(it.index) * fall_speed * lab.dt();
   const btTransform pose = At(Vec(0.23, 0.31, foot + height), Yaw(heading));
-  btRigidBody& body = lab.AddBody(shape, 1, pose, {.friction = 0.5, .restitution = it.restitution});
+  btRigidBody& body = lab.AddBody(shape, 1, pose, Surface{.friction = 0.5, .restitution = it.restitution});
   const double time_down = std::sqrt(2 * height / kGravity);
   double top = 0;
   bool has_rebounded = false;
@@ -144,7 +144,7 @@ void AddWalls(Lab& lab, Ground wall) {
       outward[axis] = btScalar(side);
       // Ground of either type, turned to face inwards.
       const btQuaternion inward = axis == 2 && side > 0 ? btQuaternion(Vec(1, 0, 0), btScalar(kPi)) : FromZ(-outward);
-      lab.AddGround(wall, At(outward * btScalar(kGasHalfWidth), inward), {}, {.friction = 0, .restitution = 1});
+      lab.AddGround(wall, At(outward * btScalar(kGasHalfWidth), inward), {}, Surface{.friction = 0, .restitution = 1});
     }
   }
 }
@@ -163,7 +163,7 @@ std::vector<btRigidBody*> AddGas(Lab& lab, const Gas& it) {
     const double pitch = 2 * kGasHalfWidth / kPerSide;
     const auto place = [&](int cell) { return (cell + 0.5) * pitch - kGasHalfWidth + uniform(-0.1, 0.1); };
     const btVector3 position = Vec(place(i % kPerSide), place(i / kPerSide % kPerSide), place(i / kPerSide / kPerSide));
-    btRigidBody& body = lab.AddBody(ball, uniform(0.5, 2), At(position), {.friction = 0, .restitution = 1});
+    btRigidBody& body = lab.AddBody(ball, uniform(0.5, 2), At(position), Surface{.friction = 0, .restitution = 1});
     const double z = uniform(-1, 1), angle = uniform(0, 2 * kPi), ring = std::sqrt(1 - z * z);
     body.setLinearVelocity(Vec(ring * std::cos(angle), ring * std::sin(angle), z) *
                            btScalar(uniform(kLeastSpeed, kMostSpeed)));
@@ -218,13 +218,13 @@ std::vector<ObliqueBounce> ObliqueBounceCases() {
 Samples MeasureObliqueBounce(const Conditions& conditions, const ObliqueBounce& it) {
   Lab lab(conditions, 0);
   const btTransform wall = At(Vec(0, 0, 0), btQuaternion(Vec(0.6, 0.8, 0), btScalar(0.5 * (it.index % 3))));
-  lab.AddGround(it.ground, wall, {}, {.friction = 0, .restitution = 1});
+  lab.AddGround(it.ground, wall, {}, Surface{.friction = 0, .restitution = 1});
   const double along = it.speed * std::cos(it.elevation), down = it.speed * std::sin(it.elevation);
   const double gap = 0.05 + down * lab.dt() * (3 + PhaseOf(it.index));
   const btVector3 direction = Direction(HeadingOf(it.index) + it.index);
   const btVector3 start = direction * btScalar(-along * gap / down) + Vec(0, 0, it.radius + gap);
   btRigidBody& ball = lab.AddBody(lab.Make<btSphereShape>(btScalar(it.radius)), 1, wall * At(start),
-                                  {.friction = 0, .restitution = it.restitution});
+                                  Surface{.friction = 0, .restitution = it.restitution});
   const btMatrix3x3& basis = wall.getBasis();
   ball.setLinearVelocity(basis * (direction * btScalar(along) + Vec(0, 0, -down)));
   lab.Run(gap / down + 0.1 + 10 * lab.dt());
@@ -267,7 +267,7 @@ Samples MeasureCradle(const Conditions& conditions, const Cradle& it) {
   for (int i = 0; i < it.balls; ++i) {
     const double way = i == 0 ? -start : (i - 1) * gap;
     const btVector3 position = axis * btScalar(2 * it.radius * i + way);
-    row.push_back(&lab.AddBody(ball, 1, At(position), {.friction = 0, .restitution = 1}));
+    row.push_back(&lab.AddBody(ball, 1, At(position), Surface{.friction = 0, .restitution = 1}));
   }
   row.front()->setLinearVelocity(axis * btScalar(it.speed));
   lab.Run((start + it.balls * gap) / it.speed + 0.1 + 10 * lab.dt());

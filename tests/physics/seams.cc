@@ -65,7 +65,7 @@ void AddTiles(Lab& lab, const BoxSeams& it, double distance) {
       // The way from the origin along the heading, with what the box and the tile reach beside it.
       const double beside = std::abs(y * std::cos(it.ride.heading) - x * std::sin(it.ride.heading));
       if (beside > 1.5 * it.half + 1.5 * it.tile) continue;
-      lab.AddStatic(tile, At(Vec(x, y, -it.thickness / 2)), {.friction = 0, .restitution = 0});
+      lab.AddStatic(tile, At(Vec(x, y, -it.thickness / 2)), Surface{.friction = 0, .restitution = 0});
     }
   }
 }
@@ -78,7 +78,7 @@ Sample MeasureBoxSeams(const Conditions& conditions, const BoxSeams& it) {
   // Aligned with the seams, or with its way.
   const btTransform pose =
       At(Vec(0.1 + 0.3 * PhaseOf(it.index), 0.2, it.half), Yaw(it.index % 2 == 0 ? 0 : it.ride.heading));
-  btRigidBody& body = lab.AddBody(shape, 1, pose, {.friction = 0});
+  btRigidBody& body = lab.AddBody(shape, 1, pose, Surface{.friction = 0});
   const double kept = SpeedKept(lab, body, it.ride);
   return RelativeToTheory("box " + Text(it.half) + " m over boxes of " + Text(it.tile) + " m, margin " +
                               Text(it.margin) + ", " + Text(it.ride.speed) + " m/s, heading " + Text(it.ride.heading),
@@ -118,12 +118,12 @@ std::vector<MeshSeams> MeshSeamsCases() {
 
 Sample MeasureMeshSeams(const Conditions& conditions, const MeshSeams& it) {
   Lab lab(conditions);
-  lab.AddGround(it.ground, btTransform::getIdentity(), it.grid, {.friction = 0, .restitution = 0});
+  lab.AddGround(it.ground, btTransform::getIdentity(), it.grid, Surface{.friction = 0, .restitution = 0});
   btConvexShape& shape = lab.MakeForm(it.form, it.half);
   const double distance = std::min(it.ride.distance, kLongestRide * it.ride.speed);
   const btVector3 start = Direction(it.ride.heading) * btScalar(-0.5 * distance) + Vec(0.03, 0.02, FootOf(shape));
   const btTransform pose = At(start, Yaw(it.index % 2 == 0 ? 0.3 : it.ride.heading));
-  btRigidBody& body = lab.AddBody(shape, 1, pose, {.friction = 0});
+  btRigidBody& body = lab.AddBody(shape, 1, pose, Surface{.friction = 0});
   const double kept = SpeedKept(lab, body, it.ride);
   return RelativeToTheory(NameOf(it.form) + " " + Text(it.half) + " m over " + NameOf(it.ground) + " of " +
                               Text(it.grid.pitch) + " m, " + Text(it.ride.speed) + " m/s, heading " +

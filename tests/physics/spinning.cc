@@ -48,7 +48,7 @@ Sample MeasureDisc(const Conditions& conditions, const DiscCase& it, double seco
   // Leaning towards x of a frame turned by the heading.
   const btQuaternion frame = Yaw(HeadingOf(it.index));
   const btQuaternion rotation = frame * btQuaternion(Vec(0, 1, 0), btScalar(it.tilt));
-  btRigidBody& body = lab.AddBody(shape, 1, At(Vec(0, 0, 0), rotation), {.friction = 1});
+  btRigidBody& body = lab.AddBody(shape, 1, At(Vec(0, 0, 0), rotation), Surface{.friction = 1});
   const Disc disc = PropertiesOf(body, shape);
   const SteadyMotion motion =
       it.precession == 0 ? RollInPlace(disc, it.tilt) : RollInCircle(disc, it.tilt, it.precession);
@@ -73,7 +73,7 @@ Sample MeasureRolling(const Conditions& conditions, bool is_ball, Ground ground,
                                  : lab.Make<btCylinderShape>(Vec(radius, 0.8 * radius, radius));
   const double heading = HeadingOf(index);
   const btVector3 start = Direction(heading) * btScalar(-0.5 * speed * kDuration) + Vec(0.23, 0.31, radius);
-  btRigidBody& body = lab.AddBody(shape, 1, At(start, Yaw(heading)), {.friction = 0.5});
+  btRigidBody& body = lab.AddBody(shape, 1, At(start, Yaw(heading)), Surface{.friction = 0.5});
   body.setLinearVelocity(Direction(heading) * btScalar(speed));
   body.setAngularVelocity(Vec(0, 0, 1).cross(Direction(heading)) * btScalar(speed / radius));
   const double before = KineticEnergyOf(body);
