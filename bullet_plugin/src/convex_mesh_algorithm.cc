@@ -11,42 +11,12 @@
 
 #include "contact_distance.h"
 #include "convex_convex_algorithm.h"
+#include "mesh_triangle.h"
 #include "pair_apart.h"
 #include "pair_motion.h"
 
 namespace dgd_bullet {
 namespace {
-
-/// Has the result take a triangle for the mesh that it is of.
-class ShownTriangle {
- public:
-  ShownTriangle(btManifoldResult& output, const btCollisionObjectWrapper& triangle)
-      : output_(output), is_first_(output.getBody0Internal() == triangle.getCollisionObject()) {
-    mesh_ = is_first_ ? output.getBody0Wrap() : output.getBody1Wrap();
-    Show(&triangle);
-    if (is_first_) {
-      output.setShapeIdentifiersA(triangle.m_partId, triangle.m_index);
-    } else {
-      output.setShapeIdentifiersB(triangle.m_partId, triangle.m_index);
-    }
-  }
-  ~ShownTriangle() { Show(mesh_); }
-  ShownTriangle(const ShownTriangle&) = delete;
-  ShownTriangle& operator=(const ShownTriangle&) = delete;
-
- private:
-  void Show(const btCollisionObjectWrapper* wrapper) {
-    if (is_first_) {
-      output_.setBody0Wrap(wrapper);
-    } else {
-      output_.setBody1Wrap(wrapper);
-    }
-  }
-
-  btManifoldResult& output_;
-  const bool is_first_;
-  const btCollisionObjectWrapper* mesh_;
-};
 
 /// Asks about each triangle that the convex body's bounding box reaches.
 class TriangleVisit final : public btTriangleCallback {

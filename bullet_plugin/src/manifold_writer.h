@@ -6,6 +6,10 @@
 // copy it, and compute it once more in the refresh, at three times the cost.
 #pragma once
 
+#include <LinearMath/btVector3.h>
+
+#include <span>
+
 #include "bullet_conversions.h"
 #include "dgd/contact_patch.h"
 
@@ -13,6 +17,18 @@ class btManifoldResult;
 class btPersistentManifold;
 
 namespace dgd_bullet {
+
+struct MeshTriangle;
+
+/// A contact in Bullet's numbers, of bodies A and B.
+struct ManifoldContact {
+  btVector3 OnA() const { return on_b + normal_on_b * separation; }
+
+  btVector3 normal_on_b;                   ///< Unit, from B to A, world.
+  btVector3 on_b;                          ///< World, metres.
+  btScalar separation;                     ///< Metres, negative for overlap.
+  const MeshTriangle* triangle = nullptr;  ///< That it is on, if body B is a mesh. Outlives the contact.
+};
 
 /// Hands the patch over, but for points beyond what Bullet can compute with. `normal` points from A to B, the shapes in
 /// the order of the call; Bullet's points from B to A.
@@ -31,6 +47,11 @@ struct ManifoldUpdate {
 /// @param output  Of the call; its manifold is the pair's.
 void UpdateManifold(const dgd::ContactPatch<double>& patch, const Vector3& normal, const ManifoldUpdate& update,
                     btManifoldResult& output);
+
+/// The same for contacts with normals of their own, as those of a mesh. As long as there is any, the manifold is never
+/// without points, so that Bullet's callbacks for the beginning and the end of a contact are not called in between.
+/// @param contacts  Of the manifold's bodies in its own order; MANIFOLD_CACHE_SIZE at most.
+void UpdateManifold(std::span<const ManifoldContact> contacts, const ManifoldUpdate& update, btManifoldResult& output);
 
 /// Adds a patch to a manifold that many pairs share, as a mesh's triangles do, and that is refreshed when all have been
 /// asked. While there is room, and as long as all points are of this step, it is given all of the patch: Bullet keeps
