@@ -24,7 +24,8 @@ class ContinuedContacts {
  public:
   static constexpr int kNew = -1;
 
-  ContinuedContacts(std::span<const ManifoldContact> contacts, const btPersistentManifold& manifold) {
+  ContinuedContacts(std::span<const ManifoldContact> contacts, const btPersistentManifold& manifold)
+      : size_(contacts.size()) {
     const int cached = manifold.getNumContacts();
     const btTransform& pose_a = manifold.getBody0()->getWorldTransform();
     const btScalar threshold = manifold.getContactBreakingThreshold();
@@ -53,26 +54,29 @@ class ContinuedContacts {
   /// Where a contact is on body A, in A's frame.
   const btVector3& OnAInBody(std::size_t contact) const { return on_a_in_body_[contact]; }
 
-  /// Where a new contact goes: in the place of a point that no contact continues, or behind the last one.
-  int TakePlace(const btPersistentManifold& manifold) {
-    int place = 0;
-    while (place < manifold.getNumContacts() && IsContinued(place)) ++place;
-    is_continued_[static_cast<std::size_t>(place)] = true;
-    return place;
+  /// Drops the manifold's points that no contact continues. If there are contacts and none continues, the first point
+  /// is left for a new one to take its place: a contact that goes on at another point never passes through zero points.
+  /// @return whether it is left.
+  bool DropStale(btPersistentManifold& manifold) {
+    const bool spares_first = size_ > 0 && manifold.getNumContacts() > 0 && !IsAnyContinued();
+    for (int j = manifold.getNumContacts() - 1; j >= (spares_first ? 1 : 0); --j) {
+      if (IsContinued(j)) continue;
+      // Bullet moves the last point into the gap.
+      const int last = manifold.getNumContacts() - 1;
+      manifold.removeContactPoint(j);
+      for (std::size_t i = 0; i < size_; ++i) {
+        if (continued_[i] == last) continued_[i] = j;
+      }
+    }
+    return spares_first;
   }
 
  private:
+  std::size_t size_;
   std::array<btVector3, MANIFOLD_CACHE_SIZE> on_a_in_body_;
   std::array<int, MANIFOLD_CACHE_SIZE> continued_;
   std::array<bool, MANIFOLD_CACHE_SIZE> is_continued_{};  // By the manifold's points.
 };
-
-void DropStalePoints(btPersistentManifold& manifold, const ContinuedContacts& continued) {
-  // Bullet moves the last point into the gap, which has been looked at.
-  for (int j = manifold.getNumContacts() - 1; j >= 0; --j) {
-    if (!continued.IsContinued(j)) manifold.removeContactPoint(j);
-  }
-}
 
 /// The names of parts and triangles that a result gives new points, for which Bullet has no other use.
 class Identifiers : public btManifoldResult {
@@ -115,7 +119,7 @@ class PointWriter {
     if (is_held) Hold(point, slip, pose_a_, pose_b_);
   }
 
-  /// @param place  Of a stale point, or behind the last one.
+  /// @param place  Of a stale point, or the number of points.
   void Add(const ManifoldContact& contact, const btVector3& on_a_in_body, int place) {
     btManifoldPoint point(on_a_in_body, {}, contact.normal_on_b, contact.separation);
     Fill(contact, on_a_in_body, point);
@@ -223,17 +227,17 @@ void CountStep(btPersistentManifold& manifold) {
 void WriteInPlace(std::span<const ManifoldContact> contacts, bool hold_stuck, btManifoldResult& output) {
   btPersistentManifold& manifold = *output.getPersistentManifold();
   ContinuedContacts continued(contacts, manifold);
+  bool has_spare = continued.DropStale(manifold);
   PointWriter writer(hold_stuck && contacts.size() >= std::size_t{kFewestAnchors}, output);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const int point = continued.PointOf(i);
     if (point != ContinuedContacts::kNew) {
       writer.Renew(contacts[i], continued.OnAInBody(i), manifold.getContactPoint(point));
     } else {
-      // In a stale one's place: a contact that goes on at another point never passes through zero points.
-      writer.Add(contacts[i], continued.OnAInBody(i), continued.TakePlace(manifold));
+      writer.Add(contacts[i], continued.OnAInBody(i), has_spare ? 0 : manifold.getNumContacts());
+      has_spare = false;
     }
   }
-  DropStalePoints(manifold, continued);
   CountStep(manifold);
 }
 
@@ -256,22 +260,17 @@ void AddThroughBullet(std::span<const ManifoldContact> contacts, btManifoldResul
 
 void WriteThroughBullet(std::span<const ManifoldContact> contacts, bool drop_stale, btManifoldResult& output) {
   btPersistentManifold& manifold = *output.getPersistentManifold();
-  std::optional<btVector3> spared;
-  if (drop_stale) {
-    const ContinuedContacts continued(contacts, manifold);
-    // A contact that goes on at another point does not pass through zero points: the first stale one goes last.
-    if (!contacts.empty() && manifold.getNumContacts() > 0 && !continued.IsAnyContinued()) {
-      while (manifold.getNumContacts() > 1) manifold.removeContactPoint(manifold.getNumContacts() - 1);
-      spared = manifold.getContactPoint(0).m_localPointA;
-    } else {
-      DropStalePoints(manifold, continued);
-    }
+  std::optional<btVector3> spare;
+  if (drop_stale && ContinuedContacts(contacts, manifold).DropStale(manifold)) {
+    spare = manifold.getContactPoint(0).m_localPointA;
   }
   RaisedThreshold threshold(manifold);
   for (const ManifoldContact& contact : contacts) threshold.Admit(contact.separation);
   AddThroughBullet(contacts, output);
-  if (spared && manifold.getNumContacts() > 1 && manifold.getContactPoint(0).m_localPointA == *spared) {
-    manifold.removeContactPoint(0);
+  const int last = manifold.getNumContacts() - 1;
+  if (spare && last > 0 && manifold.getContactPoint(0).m_localPointA == *spare) {
+    for (int i = 0; i < last; ++i) std::swap(manifold.getContactPoint(i), manifold.getContactPoint(i + 1));
+    manifold.removeContactPoint(last);
   }
   output.refreshContactPoints();
   DropPointsNotFinite(manifold);
@@ -354,21 +353,6 @@ bool HasOwnWay(const btManifoldResult& output) {
          HasFlag(*output.getBody0Internal(), *output.getBody1Internal(), btCollisionObject::CF_HAS_FRICTION_ANCHOR);
 }
 
-/// Whether the manifold's first body is the result's, whose order a call may have turned round.
-bool HasOrderOf(const btPersistentManifold& manifold, const btManifoldResult& output) {
-  return manifold.getBody0() == output.getBody0Internal();
-}
-
-void Update(std::span<const ManifoldContact> contacts, const ManifoldUpdate& update, bool in_place,
-            btManifoldResult& output) {
-  if (in_place && update.drop_stale && !HasOwnWay(output) && AreSomewhere(contacts) && AreBodiesSomewhere(output)) {
-    WriteInPlace(contacts, update.hold_stuck, output);
-  } else {
-    WriteThroughBullet(contacts, update.drop_stale, output);
-  }
-  OrderByImpulse(*output.getPersistentManifold());
-}
-
 }  // namespace
 
 void OrderByImpulse(btPersistentManifold& manifold) {
@@ -390,13 +374,16 @@ void WritePatch(const dgd::ContactPatch<double>& patch, const Vector3& normal, b
 
 void UpdateManifold(const dgd::ContactPatch<double>& patch, const Vector3& normal, const ManifoldUpdate& update,
                     btManifoldResult& output) {
-  const bool in_place = HasOrderOf(*output.getPersistentManifold(), output);
-  Update(BulletPatch(patch, normal).Contacts(), update, in_place, output);
+  UpdateManifold(BulletPatch(patch, normal).Contacts(), update, output);
 }
 
 void UpdateManifold(std::span<const ManifoldContact> contacts, const ManifoldUpdate& update, btManifoldResult& output) {
-  constexpr bool kInPlace = true;
-  Update(contacts, update, kInPlace, output);
+  if (update.drop_stale && !HasOwnWay(output) && AreSomewhere(contacts) && AreBodiesSomewhere(output)) {
+    WriteInPlace(contacts, update.hold_stuck, output);
+  } else {
+    WriteThroughBullet(contacts, update.drop_stale, output);
+  }
+  OrderByImpulse(*output.getPersistentManifold());
 }
 
 void AddToShared(const dgd::ContactPatch<double>& patch, const Vector3& normal, double equal_depth,

@@ -44,6 +44,7 @@ struct ManifoldUpdate {
 /// Makes the points of a manifold that this pair owns those of the patch. A point of the patch continues the nearest
 /// one within the breaking threshold, by its position on body A, as in Bullet's own cache: its impulse is kept.
 /// Bullet's callbacks for contacts are called as Bullet would.
+/// @param normal  From body A to body B, in the manifold's own order.
 /// @param output  Of the call; its manifold is the pair's.
 void UpdateManifold(const dgd::ContactPatch<double>& patch, const Vector3& normal, const ManifoldUpdate& update,
                     btManifoldResult& output);
