@@ -47,6 +47,8 @@ class Narrowphase {
   btCollisionAlgorithmCreateFunc* ClosestPointsCreateFunc(int type_0, int type_1);
 
   const Options& options() const { return options_; }
+  /// Whether contacts may meet the motion of bodies.
+  bool MaySpeculate() const { return may_speculate_; }
   HullCache& hulls() { return hulls_; }
   Statistics statistics() const;
 
