@@ -78,6 +78,14 @@ void Swap(dgd::ContactPatch<double>& patch, dgd::Result<double>& result) {
   result.normal = -result.normal;
 }
 
+/// The farthest point of a shape along a direction, world.
+Vector3 SupportPoint(const PosedShape& shape, const Vector3& direction) {
+  const Vector3 local = shape.pose.rotation.transpose() * direction;
+  return std::visit(
+      [&](const auto& set) -> Vector3 { return shape.pose * set.core.Support(local).point + set.radius * direction; },
+      shape.set);
+}
+
 /// The app's own word on which bodies are worth a sweep.
 bool IsSlow(const btCollisionObject& body) {
   const btVector3 way = body.getInterpolationWorldTransform().getOrigin() - body.getWorldTransform().getOrigin();
@@ -200,25 +208,21 @@ struct ConvexConvexAlgorithm::Query {
   dgd::FacingFaces<double> facing;   // Along the result's normal.
 };
 
-std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObjectWrapper* body_0,
-                                                            const btCollisionObjectWrapper* body_1,
-                                                            const btDispatcherInfo& info,
-                                                            btManifoldResult& output) try {
+template <class Prepare>
+std::optional<Fallback> ConvexConvexAlgorithm::SolveContacts(const btCollisionObjectWrapper& body_0,
+                                                             const btCollisionObjectWrapper& body_1,
+                                                             const Prepare& prepare, PairContacts& contacts) try {
   const Options& options = narrowphase_.options();
-  const bool is_swapped = ComesBefore(*body_1, *body_0);
-  if (is_swapped) std::swap(body_0, body_1);
+  const bool is_swapped = ComesBefore(body_1, body_0);
+  const btCollisionObjectWrapper &body_a = is_swapped ? body_1 : body_0, &body_b = is_swapped ? body_0 : body_1;
   const bool is_other_order = std::exchange(was_swapped_, is_swapped) != is_swapped;
   if (is_other_order) std::swap(hull_0_, hull_1_);
   for (const auto& hull : {&hull_0_, &hull_1_}) {
     if (*hull != nullptr) (*hull)->Prefetch();
   }
-  Query query(narrowphase_, *body_0, hull_0_, *body_1, hull_1_);
+  Query query(narrowphase_, body_a, hull_0_, body_b, hull_1_);
   Recall(is_other_order, query.shape_a.pose, query.shape_b.pose);
-  const btCollisionObject &object_a = *body_0->getCollisionObject(), &object_b = *body_1->getCollisionObject();
-  if (is_for_step_) query.motion = MotionOfStep(manifold_, BodyReach(object_a), BodyReach(object_b), info);
-  query.range = RangeOfContacts(options, manifold_, query.motion, had_contact_, output);
-  query.is_asked = IsAskedByApp(output);
-  query.patch_settings = PatchSettingsOf(options, manifold_, query.range, query.motion, query.is_asked, output);
+  prepare(query, is_swapped);
   query.wants_least = options.normal_mode == NormalMode::kLeastTranslation;
   query.settings.relative_tolerance =
       query.is_asked ? std::min(kExact, options.relative_tolerance) : options.relative_tolerance;
@@ -228,27 +232,122 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObj
   FindNormal(query);
   dgd::Result<double>& result = query.result;
   if (result.status != dgd::Status::kSeparated && !IsCertified(result)) return FallbackOf(result.status);
-  dgd::ContactPatch<double> patch = FindContactPatch(query);
-  had_contact_ = patch.size > 0;
+  contacts.patch = FindContactPatch(query);
+  had_contact_ = contacts.patch.size > 0;
   if (PairCounters* counters = narrowphase_.pair_counters()) {
-    counters->Count(ShapeOf(body_0).getShapeType(), ShapeOf(body_1).getShapeType(),
-                    OutcomeOf(result, !query.has_growth_distance, patch.size));
+    counters->Count(ShapeOf(&body_a).getShapeType(), ShapeOf(&body_b).getShapeType(),
+                    OutcomeOf(result, !query.has_growth_distance, contacts.patch.size));
   }
-  if (is_swapped) Swap(patch, result);
-  if (WantsContacts(info.m_debugDraw)) DrawContacts(patch, result, *info.m_debugDraw);
-  if (had_contact_ && !manifold_) {
-    had_contact_ = is_swapped ? HasManifold(*body_1, *body_0) : HasManifold(*body_0, *body_1);
-    if (!had_contact_) return Fallback::kNoMemory;
-    manifold_.ShowTo(output);
-  }
-  WriteContacts(patch, result.normal, is_swapped ? query.motion.Reversed() : query.motion, options, manifold_, output);
-  // Bodies that do not touch may be given a speed that makes them.
-  if (had_contact_) RememberRest(*body_0, *body_1, query.motion);
+  if (is_swapped) Swap(contacts.patch, result);
+  contacts.result = result;
+  contacts.motion = query.motion;
   return std::nullopt;
 } catch (const std::bad_alloc&) {
   return Fallback::kNoMemory;  // For a hull.
 } catch (const std::exception&) {
   return Fallback::kInvalid;  // A shape that is not one: NaN or infinite sizes, no points.
+}
+
+std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObjectWrapper* body_0,
+                                                            const btCollisionObjectWrapper* body_1,
+                                                            const btDispatcherInfo& info, btManifoldResult& output) {
+  const Options& options = narrowphase_.options();
+  const auto prepare = [&](Query& query, bool is_swapped) {
+    if (is_for_step_) {
+      const BodyReach reach_a(*(is_swapped ? body_1 : body_0)->getCollisionObject()),
+          reach_b(*(is_swapped ? body_0 : body_1)->getCollisionObject());
+      query.motion = MotionOfStep(manifold_, reach_a, reach_b, info);
+    }
+    query.range = RangeOfContacts(options, manifold_, query.motion, had_contact_, output);
+    query.is_asked = IsAskedByApp(output);
+    query.patch_settings = PatchSettingsOf(options, manifold_, query.range, query.motion, query.is_asked, output);
+  };
+  PairContacts contacts;
+  if (const auto failure = SolveContacts(*body_0, *body_1, prepare, contacts)) return failure;
+  if (WantsContacts(info.m_debugDraw)) DrawContacts(contacts.patch, contacts.result, *info.m_debugDraw);
+  if (had_contact_ && !manifold_) {
+    had_contact_ = HasManifold(*body_0, *body_1);
+    if (!had_contact_) return Fallback::kNoMemory;
+    manifold_.ShowTo(output);
+  }
+  const PairMotion motion = was_swapped_ ? contacts.motion.Reversed() : contacts.motion;
+  WriteContacts(contacts.patch, contacts.result.normal, motion, options, manifold_, output);
+  // Bodies that do not touch may be given a speed that makes them.
+  if (had_contact_) {
+    RememberRest(*(was_swapped_ ? body_1 : body_0), *(was_swapped_ ? body_0 : body_1), contacts.motion);
+  }
+  return std::nullopt;
+}
+
+std::optional<Fallback> ConvexConvexAlgorithm::FindTriangleContacts(const btCollisionObjectWrapper& convex,
+                                                                    const btCollisionObjectWrapper& triangle,
+                                                                    const TriangleQuery& triangle_query,
+                                                                    PairContacts& contacts) {
+  contacts.patch.size = 0;
+  if (Recorder* recorder = narrowphase_.options().recorder) recorder->Add(convex, triangle);
+  const bool is_swapped = ComesBefore(triangle, convex);
+  const PairMotion& motion = is_swapped ? triangle_query.reverse_motion : triangle_query.motion;
+  const auto get_motion_and_range = [&](const BodyReach&, const BodyReach&) {
+    return std::pair<const PairMotion&, const ContactRange&>(motion, triangle_query.range);
+  };
+  if (!triangle_query.is_drawn && StaysApartBy(convex, triangle, get_motion_and_range)) return std::nullopt;
+  const auto prepare = [&](Query& query, bool) {
+    query.motion = motion;
+    query.range = triangle_query.range;
+    query.patch_settings = triangle_query.patch_settings;
+    query.is_asked = triangle_query.is_asked;
+  };
+  const std::optional<Fallback> failure = SolveContacts(convex, triangle, prepare, contacts);
+  if (failure) {
+    contacts.patch.size = 0;
+    Count(*failure, convex, triangle);
+  }
+  return failure;
+}
+
+void ConvexConvexAlgorithm::FindFaceContacts(const btCollisionObjectWrapper& convex,
+                                             const btCollisionObjectWrapper& triangle, const Vector3& normal,
+                                             const TriangleQuery& triangle_query, PairContacts& contacts) try {
+  const Options& options = narrowphase_.options();
+  contacts.patch.size = 0;
+  std::shared_ptr<const CachedHull> no_hull;
+  PosedShape shape = Query::Adapt(narrowphase_, convex, was_swapped_ ? hull_1_ : hull_0_);
+  const PosedShape face = Query::Adapt(narrowphase_, triangle, no_hull);
+  const PairMotion& motion = triangle_query.motion;
+  const Vector3 deepest = SupportPoint(shape, normal);
+  dgd::Result<double>& result = contacts.result;
+  result.normal = normal;
+  result.separation = normal.dot(SupportPoint(face, -normal) - deepest);
+  const double approach = motion.Approach(deepest, normal);
+  Vector3 shift = Vector3::Zero();
+  if (result.separation > std::max(triangle_query.range.touching, 0.0)) {
+    // Where the body is when it comes to the triangle's plane.
+    if (result.separation > triangle_query.range.limit || !(approach >= result.separation)) return;
+    const double part = result.separation / approach;
+    for (int axis = 0; axis < 3; ++axis) shift[axis] = part * motion.Approach(deepest, Vector3::Unit(axis));
+    shift -= shift.dot(normal) * normal;
+    shape.pose.translation += shift;
+  }
+  result.witness_1 = deepest + shift;
+  result.witness_2 = result.witness_1 + result.separation * normal;
+  dgd::FacingFaces<double> facing;
+  FindFacingFaces(shape, face, result, options.angular_tolerance, facing);
+  if (facing.face_1.size == 0) {
+    // Nothing is known of its faces.
+    facing.face_1.Add(facing.frame.FromWorld(result.witness_1));
+    facing.FindOverlap(options.angular_tolerance);
+  }
+  const dgd::Corner<double>* nearest = facing.Nearest();
+  if (nearest == nullptr) return;
+  result.separation = nearest->Separation();
+  contacts.patch = FindPatch(result, facing, triangle_query.patch_settings, motion);
+  for (int i = 0; i < contacts.patch.size; ++i) {
+    dgd::ContactPoint<double>& point = contacts.patch.points[static_cast<std::size_t>(i)];
+    point.on_1 -= shift;
+    point.on_2 -= shift;
+  }
+} catch (const std::exception&) {
+  contacts.patch.size = 0;  // FindTriangleContacts() has said why.
 }
 
 Footing ConvexConvexAlgorithm::FootingOfContacts(const btCollisionObjectWrapper& body_a,
@@ -351,10 +450,21 @@ bool ConvexConvexAlgorithm::StaysAtRest(const btCollisionObjectWrapper& body_0, 
 }
 
 bool ConvexConvexAlgorithm::StaysApart(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
-                                       const btDispatcherInfo& info, const btManifoldResult& output) try {
+                                       const btDispatcherInfo& info, const btManifoldResult& output) {
+  if (WantsContacts(info.m_debugDraw)) return false;
+  const auto get_motion_and_range = [&](const BodyReach& reach_a, const BodyReach& reach_b) {
+    const PairMotion motion = is_for_step_ ? MotionOfStep(manifold_, reach_a, reach_b, info) : PairMotion();
+    return std::pair(motion, RangeOfContacts(narrowphase_.options(), manifold_, motion, false, output));
+  };
+  return StaysApartBy(body_0, body_1, get_motion_and_range);
+}
+
+template <class GetMotionAndRange>
+bool ConvexConvexAlgorithm::StaysApartBy(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
+                                         const GetMotionAndRange& get_motion_and_range) try {
   const Options& options = narrowphase_.options();
   if (had_contact_ || face_holder_ != dgd::FaceHolder::kNone || !dgd::HasNormal(warm_start_) || !options.warm_start ||
-      options.geometry_mode != GeometryMode::kBullet || WantsContacts(info.m_debugDraw)) {
+      options.geometry_mode != GeometryMode::kBullet) {
     return false;
   }
   const bool is_swapped = ComesBefore(body_1, body_0);
@@ -365,8 +475,7 @@ bool ConvexConvexAlgorithm::StaysApart(const btCollisionObjectWrapper& body_0, c
   const double separation = SeparationAlong({a, reach_a}, {b, reach_b}, normal);
   // What memory is slow to bring comes last.
   if (!(separation > 0)) return false;
-  const PairMotion motion = is_for_step_ ? MotionOfStep(manifold_, reach_a, reach_b, info) : PairMotion();
-  const ContactRange range = RangeOfContacts(options, manifold_, motion, false, output);
+  const auto [motion, range] = get_motion_and_range(reach_a, reach_b);
   if (!(separation > range.touching)) return false;
   if (separation <= range.limit && motion.MayApproachBy(separation, FromBullet(normal))) return false;
   if (manifold_.IsOwn() && !manifold_.IsEmpty()) return false;  // Of an answer that was not ours.
@@ -376,7 +485,7 @@ bool ConvexConvexAlgorithm::StaysApart(const btCollisionObjectWrapper& body_0, c
   }
   return true;
 } catch (const std::exception&) {
-  return false;  // A user's shape that throws: FindContacts() says what comes of it.
+  return false;  // A user's shape that throws: SolveContacts() says what comes of it.
 }
 
 void ConvexConvexAlgorithm::RememberRest(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,

@@ -17,6 +17,7 @@
 #include "dgd/held_face.h"
 #include "hull_cache.h"
 #include "narrowphase.h"
+#include "pair_contacts.h"
 #include "pair_manifold.h"
 #include "pair_motion.h"
 #include "shape_adapter.h"
@@ -26,6 +27,22 @@ namespace dgd_bullet {
 
 class RestingPair;
 struct Footing;
+
+/// The contacts of a solved pair, which have not been written anywhere.
+struct PairContacts {
+  dgd::ContactPatch<double> patch;
+  dgd::Result<double> result;  ///< Its normal points from the call's first body to the second.
+  PairMotion motion;           ///< That the patch was found with, in the order that the shapes are solved in.
+};
+
+/// What a mesh asks of each of its triangles.
+struct TriangleQuery {
+  const PairMotion &motion, &reverse_motion;  ///< Of the convex body and the mesh, and of the mesh and the body.
+  ContactRange range;
+  dgd::PatchSettings<double> patch_settings;
+  bool is_asked;  ///< By an app, for the contacts themselves.
+  bool is_drawn;  ///< By a debug drawer, which wants to see contacts found anew.
+};
 
 class ConvexConvexAlgorithm : public btCollisionAlgorithm {
  public:
@@ -37,6 +54,25 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
 
   void processCollision(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1,
                         const btDispatcherInfo& info, btManifoldResult* output) override;
+
+  /// The contacts with a triangle of a mesh, in the place of processCollision(): the mesh chooses among all triangles',
+  /// and writes them.
+  /// @return why there is no answer, which has been counted.
+  std::optional<Fallback> FindTriangleContacts(const btCollisionObjectWrapper& convex,
+                                               const btCollisionObjectWrapper& triangle, const TriangleQuery& query,
+                                               PairContacts& contacts);
+
+  /// Bullet's own answer in the place of one that there is none of, into the result.
+  void FallBack(const btCollisionObjectWrapper& convex, const btCollisionObjectWrapper& triangle,
+                const btDispatcherInfo& info, btManifoldResult& output) {
+    narrowphase_.FallBack(*m_dispatcher, &convex, &triangle, info, output);
+  }
+
+  /// Those along the triangle's own normal, where the convex body is over the triangle now, or when its motion brings
+  /// it to the triangle's plane. After FindTriangleContacts() in the same step.
+  /// @param normal  Of the triangle, away from the side that the convex body counts as on; unit, world.
+  void FindFaceContacts(const btCollisionObjectWrapper& convex, const btCollisionObjectWrapper& triangle,
+                        const Vector3& normal, const TriangleQuery& query, PairContacts& contacts);
 
   /// The part of the bodies' way from their transforms to their interpolation transforms that they go before they
   /// touch, or 1: by a sweep of the shapes themselves, never late. Only an app that dispatches continuously asks. As in
@@ -72,6 +108,13 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   /// What a step asks of the pair, and the answer so far.
   struct Query;
 
+  /// Solves the pair for its contacts. If that failed: why.
+  /// @param prepare  void(Query& query, bool is_swapped): sets the motion, the distances and who asks; the shapes are
+  ///                 solved in the other order than the call's if swapped.
+  template <class Prepare>
+  std::optional<Fallback> SolveContacts(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
+                                        const Prepare& prepare, PairContacts& contacts);
+
   /// The pair's normal, and the separation along it: by the last normal where that still tells, else by a search.
   void FindNormal(Query& query);
 
@@ -97,6 +140,13 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   /// Whether a pair without contact is still farther apart along the last normal than it may approach in the step.
   bool StaysApart(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
                   const btDispatcherInfo& info, const btManifoldResult& output);
+
+  /// The same.
+  /// @param get_motion_and_range  std::pair<PairMotion, ContactRange>(const BodyReach& a, const BodyReach& b), in the
+  ///                              order that the shapes are solved in.
+  template <class GetMotionAndRange>
+  bool StaysApartBy(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
+                    const GetMotionAndRange& get_motion_and_range);
 
   /// The face that the contacts' normal turns with, if any.
   Footing FootingOfContacts(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b) const;

@@ -4,111 +4,183 @@
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletCollision/CollisionShapes/btConcaveShape.h>
 #include <BulletCollision/CollisionShapes/btConvexShape.h>
-#include <BulletCollision/CollisionShapes/btTriangleShape.h>
 #include <LinearMath/btAabbUtil2.h>
 
+#include <algorithm>
+#include <array>
 #include <new>
+#include <span>
 
-#include "contact_distance.h"
+#include "asked_by_app.h"
+#include "contact_drawer.h"
+#include "contact_reduction.h"
 #include "convex_convex_algorithm.h"
+#include "manifold_writer.h"
+#include "mesh_contacts.h"
+#include "mesh_triangle.h"
 #include "pair_apart.h"
+#include "pair_contacts.h"
 #include "pair_motion.h"
+#include "triangle_pairs.h"
 
 namespace dgd_bullet {
-namespace {
 
-/// Has the result take a triangle for the mesh that it is of.
-class ShownTriangle {
- public:
-  ShownTriangle(btManifoldResult& output, const btCollisionObjectWrapper& triangle)
-      : output_(output), is_first_(output.getBody0Internal() == triangle.getCollisionObject()) {
-    mesh_ = is_first_ ? output.getBody0Wrap() : output.getBody1Wrap();
-    Show(&triangle);
-    if (is_first_) {
-      output.setShapeIdentifiersA(triangle.m_partId, triangle.m_index);
-    } else {
-      output.setShapeIdentifiersB(triangle.m_partId, triangle.m_index);
-    }
-  }
-  ~ShownTriangle() { Show(mesh_); }
-  ShownTriangle(const ShownTriangle&) = delete;
-  ShownTriangle& operator=(const ShownTriangle&) = delete;
+/// What a pair keeps from step to step: algorithms, and memory.
+struct MeshStep {
+  explicit MeshStep(btDispatcher& dispatcher) : pairs(dispatcher) {}
 
- private:
-  void Show(const btCollisionObjectWrapper* wrapper) {
-    if (is_first_) {
-      output_.setBody0Wrap(wrapper);
-    } else {
-      output_.setBody1Wrap(wrapper);
-    }
+  void Begin(const btTransform& mesh, btScalar margin) {
+    contacts.Begin(mesh, margin);
+    algorithms.clear();
   }
 
-  btManifoldResult& output_;
-  const bool is_first_;
-  const btCollisionObjectWrapper* mesh_;
+  TrianglePairs pairs;
+  MeshContacts contacts;
+  std::vector<ConvexConvexAlgorithm*> algorithms;  // Of the contacts' triangles, or null.
+  PairContacts found;                              // Of the last triangle.
 };
 
-/// Asks about each triangle that the convex body's bounding box reaches.
+namespace {
+
+/// Adds what Bullet's own algorithm finds of a triangle to the mesh's contacts.
+class GatheringResult final : public btManifoldResult {
+ public:
+  GatheringResult(btManifoldResult& output, double contact_distance, int triangle, MeshContacts& contacts)
+      : btManifoldResult(output.getBody0Wrap(), output.getBody1Wrap()),
+        contact_distance_(contact_distance),
+        triangle_(triangle),
+        contacts_(contacts) {
+    setPersistentManifold(output.getPersistentManifold());
+  }
+
+  void addContactPoint(const btVector3& normal_on_b, const btVector3& point, btScalar separation) override {
+    if (!(double(separation) <= contact_distance_)) return;
+    const Vector3 normal = -FromBullet(normal_on_b), on_b = FromBullet(point);
+    dgd::ContactPatch<double> patch;
+    patch.size = 1;
+    patch.points[0] = {on_b - double(separation) * normal, on_b, double(separation)};
+    contacts_.Add(triangle_, patch, normal);
+  }
+
+ private:
+  const double contact_distance_;  // Metres.
+  const int triangle_;
+  MeshContacts& contacts_;
+};
+
+/// Gathers the contacts of each triangle that the convex body's bounding box reaches.
 class TriangleVisit final : public btTriangleCallback {
  public:
   TriangleVisit(const btCollisionObjectWrapper& convex, const btCollisionObjectWrapper& mesh,
-                const btDispatcherInfo& info, double contact_distance, btDispatcher& dispatcher, TrianglePairs& pairs,
+                const btDispatcherInfo& info, const TriangleQuery& query, btDispatcher& dispatcher, MeshStep& step,
                 btManifoldResult& output)
       : convex_(convex),
         mesh_(mesh),
         convex_reach_(*convex.getCollisionObject()),
         mesh_reach_(*mesh.getCollisionObject()),
         info_(info),
-        contact_distance_(contact_distance),
+        query_(query),
         dispatcher_(dispatcher),
-        pairs_(pairs),
+        step_(step),
         output_(output) {}
 
-  void VisitAll() {
-    const auto& shape = static_cast<const btConcaveShape&>(*mesh_.getCollisionShape());
-    margin_ = shape.getMargin();
-    const btTransform in_mesh = mesh_.getWorldTransform().inverseTimes(convex_.getWorldTransform());
-    convex_.getCollisionShape()->getAabb(in_mesh, low_, high_);
-    const btVector3 margins(margin_, margin_, margin_);
-    low_ -= margins;
-    high_ += margins;
-    shape.processAllTriangles(this, low_, high_);
+  /// All contacts that count.
+  void Gather() {
+    FindBox();
+    static_cast<const btConcaveShape&>(*mesh_.getCollisionShape()).processAllTriangles(this, low_, high_);
+    step_.contacts.RemoveGhosts();
+    if (query_.motion.MaxApproach() > query_.range.touching) {
+      for (int i = 0; i < step_.contacts.triangles(); ++i) {
+        if (!step_.contacts.HasContacts(i)) AddFaceContacts(i);
+      }
+    } else {
+      for (const int triangle : step_.contacts.ToTurn()) AddFaceContacts(triangle);
+    }
   }
+
+  /// Whether contacts of an app's own algorithm are in the manifold.
+  bool HasForeign() const { return has_foreign_; }
 
   void processTriangle(btVector3* corners, int part, int index) override {
     if (!TestTriangleAgainstAabb2(corners, low_, high_)) return;
-    btTriangleShape shape(corners[0], corners[1], corners[2]);
-    shape.setMargin(margin_);
-    const btCollisionObjectWrapper triangle(&mesh_, &shape, mesh_.getCollisionObject(), mesh_.getWorldTransform(), part,
-                                            index);
-    btCollisionAlgorithm* algorithm = pairs_.Find(part, index);
-    bool is_kept = algorithm != nullptr;
-    if (!is_kept) {
-      if (IsBesideItsPlane(triangle, shape)) return;
-      // By the dispatcher's table: an app may have an algorithm of its own for triangles.
-      algorithm =
-          dispatcher_.findAlgorithm(&convex_, &triangle, output_.getPersistentManifold(), BT_CONTACT_POINT_ALGORITHMS);
-      if (algorithm == nullptr) return;
-      // Other algorithms may rely on being new.
-      is_kept = dynamic_cast<ConvexConvexAlgorithm*>(algorithm) != nullptr && pairs_.Keep(part, index, algorithm);
+    const int i = step_.contacts.AddTriangle(corners, part, index);
+    step_.algorithms.push_back(nullptr);
+    const TriangleBody triangle(step_.contacts.triangle(i), mesh_);
+    if (auto* kept = static_cast<ConvexConvexAlgorithm*>(step_.pairs.Find(part, index))) {
+      step_.algorithms.back() = kept;
+      return AddContacts(*kept, triangle.wrapper(), i);
     }
-    {
-      const ShownTriangle shown(output_, triangle);
-      algorithm->processCollision(&convex_, &triangle, info_, &output_);
+    if (IsBesideItsPlane(triangle)) return;
+    // By the dispatcher's table: an app may have an algorithm of its own for triangles.
+    btCollisionAlgorithm* algorithm = dispatcher_.findAlgorithm(
+        &convex_, &triangle.wrapper(), output_.getPersistentManifold(), BT_CONTACT_POINT_ALGORITHMS);
+    if (algorithm == nullptr) return;
+    bool is_kept = false;
+    if (auto* ours = dynamic_cast<ConvexConvexAlgorithm*>(algorithm)) {
+      is_kept = step_.pairs.Keep(part, index, ours);
+      if (is_kept) step_.algorithms.back() = ours;
+      AddContacts(*ours, triangle.wrapper(), i);
+    } else {
+      // Which may rely on being new in each step.
+      has_foreign_ = true;
+      const ShownTriangle shown(output_, triangle.wrapper());
+      algorithm->processCollision(&convex_, &triangle.wrapper(), info_, &output_);
     }
     if (!is_kept) GiveBack(dispatcher_, algorithm);
   }
 
  private:
-  /// Whether the convex body is on one side of the triangle's plane, beyond the contact distance.
-  bool IsBesideItsPlane(const btCollisionObjectWrapper& triangle, const btTriangleShape& shape) const {
-    const btVector3 area =
-        (shape.m_vertices1[1] - shape.m_vertices1[0]).cross(shape.m_vertices1[2] - shape.m_vertices1[0]);
+  /// Of all places where the body may touch the mesh within the step.
+  void FindBox() {
+    const btTransform in_mesh = mesh_.getWorldTransform().inverseTimes(convex_.getWorldTransform());
+    convex_.getCollisionShape()->getAabb(in_mesh, low_, high_);
+    middle_ = btScalar(0.5) * (low_ + high_);
+    const btScalar margin = mesh_.getCollisionShape()->getMargin() + btScalar(query_.patch_settings.contact_distance);
+    const btVector3 half = btScalar(0.5) * (high_ - low_);
+    const btScalar radius = half.length();
+    const auto turn = btScalar(query_.motion.Turn().norm());
+    const Vector3 middle = FromBullet(mesh_.getWorldTransform() * middle_);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vector3 direction = FromBullet(mesh_.getWorldTransform().getBasis().getColumn(axis));
+      const auto way = btScalar(query_.motion.Approach(middle, direction));
+      // Turning about its middle, the body stays in a ball.
+      const btScalar out = margin + btMin(turn * radius, radius - half[axis]);
+      low_[axis] += btMin(way, btScalar(0)) - out;
+      high_[axis] += btMax(way, btScalar(0)) + out;
+    }
+  }
+
+  void AddContacts(ConvexConvexAlgorithm& algorithm, const btCollisionObjectWrapper& triangle, int index) {
+    PairContacts& found = step_.found;
+    const std::optional<Fallback> failure = algorithm.FindTriangleContacts(convex_, triangle, query_, found);
+    if (!failure) return step_.contacts.Add(index, found.patch, found.result.normal);
+    if (!IsAnsweredByBullet(*failure)) return;
+    const ShownTriangle shown(output_, triangle);
+    GatheringResult result(output_, query_.range.touching, index, step_.contacts);
+    algorithm.FallBack(convex_, triangle, info_, result);
+  }
+
+  /// The contacts of a triangle along its own normal.
+  void AddFaceContacts(int index) {
+    ConvexConvexAlgorithm* algorithm = step_.algorithms[static_cast<std::size_t>(index)];
+    const Vector3 normal = step_.contacts.NormalTowards(index, middle_);
+    if (algorithm == nullptr || normal.isZero(0)) return;
+    const TriangleBody triangle(step_.contacts.triangle(index), mesh_);
+    PairContacts& found = step_.found;
+    algorithm->FindFaceContacts(convex_, triangle.wrapper(), -normal, query_, found);
+    step_.contacts.Add(index, found.patch, -normal);
+  }
+
+  /// Whether the convex body is on one side of the triangle's plane and does not come near it in the step.
+  bool IsBesideItsPlane(const TriangleBody& triangle) const {
+    const btVector3* corners = triangle.shape().m_vertices1;
+    const btVector3 area = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
     const btScalar length = area.length();
     if (!(length > 0)) return false;
     const btVector3 normal = mesh_.getWorldTransform().getBasis() * (area / length);
     const auto is_apart = [&](const btVector3& direction) {
-      return SeparationAlong({convex_, convex_reach_}, {triangle, mesh_reach_}, direction) > contact_distance_;
+      const double separation = SeparationAlong({convex_, convex_reach_}, {triangle.wrapper(), mesh_reach_}, direction);
+      return separation > query_.range.touching && !query_.motion.MayApproachBy(separation, FromBullet(direction));
     };
     return is_apart(normal) || is_apart(-normal);
   }
@@ -116,13 +188,23 @@ class TriangleVisit final : public btTriangleCallback {
   const btCollisionObjectWrapper &convex_, &mesh_;
   const BodyReach convex_reach_, mesh_reach_;
   const btDispatcherInfo& info_;
-  const double contact_distance_;  // Metres.
+  const TriangleQuery& query_;
   btDispatcher& dispatcher_;
-  TrianglePairs& pairs_;
+  MeshStep& step_;
   btManifoldResult& output_;
-  btScalar margin_ = 0;   // Of the mesh.
-  btVector3 low_, high_;  // Of the convex body's bounding box, in the mesh's frame.
+  bool has_foreign_ = false;
+  btVector3 low_, high_, middle_;  // Of the convex body's bounding box, in the mesh's frame.
 };
+
+void Draw(const MeshContact& contact, btIDebugDraw& drawer) {
+  dgd::ContactPatch<double> patch;
+  patch.size = 1;
+  patch.points[0] = {contact.OnA(), contact.on_b, contact.separation};
+  dgd::Result<double> result;
+  result.normal = -contact.normal_on_b;
+  result.separation = contact.separation;
+  DrawContacts(patch, result, drawer);
+}
 
 }  // namespace
 
@@ -130,12 +212,14 @@ ConvexMeshAlgorithm::ConvexMeshAlgorithm(const btCollisionAlgorithmConstructionI
                                          const Narrowphase& narrowphase, const btCollisionObjectWrapper* body_0,
                                          const btCollisionObjectWrapper* body_1, bool is_swapped)
     : btConvexConcaveCollisionAlgorithm(info, body_0, body_1, is_swapped),
-      options_(narrowphase.options()),
-      pairs_(new (std::nothrow) TrianglePairs(*m_dispatcher)) {
+      narrowphase_(narrowphase),
+      step_(new (std::nothrow) MeshStep(*m_dispatcher)) {
   btManifoldArray manifolds;
   getAllContactManifolds(manifolds);
   if (manifolds.size() > 0) manifold_ = manifolds[0];
 }
+
+ConvexMeshAlgorithm::~ConvexMeshAlgorithm() = default;
 
 void ConvexMeshAlgorithm::processCollision(const btCollisionObjectWrapper* body_0,
                                            const btCollisionObjectWrapper* body_1, const btDispatcherInfo& info,
@@ -146,15 +230,59 @@ void ConvexMeshAlgorithm::processCollision(const btCollisionObjectWrapper* body_
   const bool are_ours =
       Narrowphase::HandlesMesh(convex.getCollisionShape()->getShapeType(), mesh.getCollisionShape()->getShapeType());
   // Where an app asks how far apart bodies are, the triangles have manifolds of their own.
-  if (!are_ours || pairs_ == nullptr || manifold_ == nullptr || output->m_closestPointDistanceThreshold > 0) {
-    return btConvexConcaveCollisionAlgorithm::processCollision(body_0, body_1, info, output);
+  const bool can_gather =
+      are_ours && step_ != nullptr && manifold_ != nullptr && !(output->m_closestPointDistanceThreshold > 0);
+  if (can_gather && FindContacts(convex, mesh, info, *output)) return;
+  btConvexConcaveCollisionAlgorithm::processCollision(body_0, body_1, info, output);
+}
+
+bool ConvexMeshAlgorithm::FindContacts(const btCollisionObjectWrapper& convex, const btCollisionObjectWrapper& mesh,
+                                       const btDispatcherInfo& info, btManifoldResult& output) try {
+  output.setPersistentManifold(manifold_);
+  const btCollisionObject &body = *convex.getCollisionObject(), &ground = *mesh.getCollisionObject();
+  manifold_->setBodies(&body, &ground);
+  const Options& options = narrowphase_.options();
+  const bool has_margin = options.geometry_mode == GeometryMode::kBullet;
+  step_->Begin(mesh.getWorldTransform(), has_margin ? mesh.getCollisionShape()->getMargin() : btScalar(0));
+  // Of the triangles; the contacts are written into the pair's own.
+  const PairManifold shared(manifold_);
+  const bool is_asked = IsAskedByApp(output);
+  const bool follows_motion = narrowphase_.FollowsMotion() && info.m_timeStep > 0 && !is_asked;
+  const PairMotion motion =
+      follows_motion ? PairMotion(BodyReach(body), BodyReach(ground), double(info.m_timeStep)) : PairMotion();
+  const PairMotion reverse = motion.Reversed();
+  const ContactRange range = RangeOfContacts(options, shared, motion, manifold_->getNumContacts() > 0, output);
+  const TriangleQuery query{.motion = motion,
+                            .reverse_motion = reverse,
+                            .range = range,
+                            .patch_settings = PatchSettingsOf(options, shared, range, motion, is_asked, output),
+                            .is_asked = is_asked,
+                            .is_drawn = WantsContacts(info.m_debugDraw)};
+  TriangleVisit visit(convex, mesh, info, query, *m_dispatcher, *step_, output);
+  visit.Gather();
+  step_->pairs.EndStep();
+  Write(query, visit.HasForeign(), info, output);
+  return true;
+} catch (const std::bad_alloc&) {
+  step_->pairs.EndStep();
+  return false;
+}
+
+void ConvexMeshAlgorithm::Write(const TriangleQuery& query, bool has_foreign, const btDispatcherInfo& info,
+                                btManifoldResult& output) {
+  const std::span<const MeshContact> contacts = step_->contacts.contacts();
+  const ReducedContacts reduced = ReduceContacts(contacts, query.patch_settings, query.motion, *manifold_);
+  std::array<ManifoldContact, MANIFOLD_CACHE_SIZE> chosen;
+  for (int i = 0; i < reduced.size; ++i) {
+    const MeshContact& contact = contacts[static_cast<std::size_t>(reduced.indices[static_cast<std::size_t>(i)])];
+    chosen[static_cast<std::size_t>(i)] = {ToBullet(contact.normal_on_b), ToBullet(contact.on_b),
+                                           btScalar(contact.separation), &step_->contacts.triangle(contact.triangle)};
+    if (query.is_drawn) Draw(contact, *info.m_debugDraw);
   }
-  output->setPersistentManifold(manifold_);
-  manifold_->setBodies(convex.getCollisionObject(), mesh.getCollisionObject());
-  const double contact_distance = ContactDistance(options_, double(manifold_->getContactBreakingThreshold()), *output);
-  TriangleVisit(convex, mesh, info, contact_distance, *m_dispatcher, *pairs_, *output).VisitAll();
-  pairs_->EndStep();
-  output->refreshContactPoints();
+  const Options& options = narrowphase_.options();
+  // What is in the manifold of others' is not told apart.
+  UpdateManifold({chosen.data(), static_cast<std::size_t>(reduced.size)}, query.motion,
+                 {.drop_stale = options.contact_patch && !has_foreign, .hold_stuck = options.friction_anchors}, output);
 }
 
 }  // namespace dgd_bullet

@@ -7,134 +7,188 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "asked_by_app.h"
 #include "contact_materials.h"
 #include "finite_result.h"
 #include "friction_anchors.h"
+#include "mesh_triangle.h"
 #include "restitution.h"
 
 namespace dgd_bullet {
 namespace {
 
-/// A patch in Bullet's numbers, and which of the manifold's points its own continue.
-struct BulletPatch {
-  struct Contact {
-    btVector3 on_a, on_b;    // World, metres.
-    btVector3 on_a_in_body;  // By FindContinued().
-    btScalar separation;
-    int continued;  // Index of a point in the manifold, or kNew.
-  };
-
+/// Contacts, and which of the manifold's points they continue.
+class ContinuedContacts {
+ public:
   static constexpr int kNew = -1;
 
-  BulletPatch(const dgd::ContactPatch<double>& patch, const Vector3& normal)
-      : normal_on_b(ToBullet(-normal)), size(patch.size) {
-    for (int i = 0; i < size; ++i) {
-      const dgd::ContactPoint<double>& point = patch.points[static_cast<std::size_t>(i)];
-      const btVector3 on_b = ToBullet(point.on_2);
-      const auto separation = btScalar(point.separation);
-      contacts[static_cast<std::size_t>(i)] = {on_b + normal_on_b * separation, on_b, {}, separation, kNew};
-    }
-  }
-
-  bool IsSomewhere() const {
-    return std::all_of(contacts.begin(), contacts.begin() + size, [](const Contact& contact) {
-      return dgd_bullet::IsSomewhere(contact.on_b, contact.separation);
-    });
-  }
-
-  /// No two contacts continue the same point.
-  void FindContinued(const btPersistentManifold& manifold) {
+  ContinuedContacts(std::span<const ManifoldContact> contacts, const btPersistentManifold& manifold)
+      : size_(contacts.size()) {
     const int cached = manifold.getNumContacts();
     const btTransform& pose_a = manifold.getBody0()->getWorldTransform();
     const btScalar threshold = manifold.getContactBreakingThreshold();
-    for (int i = 0; i < size; ++i) {
-      Contact& contact = contacts[static_cast<std::size_t>(i)];
-      contact.on_a_in_body = pose_a.invXform(contact.on_a);
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      on_a_in_body_[i] = pose_a.invXform(contacts[i].OnA());
       btScalar nearest_sq = threshold * threshold;
       int nearest = kNew;
       for (int j = 0; j < cached; ++j) {
-        if (is_continued[static_cast<std::size_t>(j)]) continue;
-        const btScalar distance_sq = (manifold.getContactPoint(j).m_localPointA - contact.on_a_in_body).length2();
+        if (IsContinued(j)) continue;
+        const btScalar distance_sq = (manifold.getContactPoint(j).m_localPointA - on_a_in_body_[i]).length2();
         if (!(distance_sq < nearest_sq)) continue;
         nearest_sq = distance_sq;
         nearest = j;
       }
-      contact.continued = nearest;
-      if (nearest != kNew) is_continued[static_cast<std::size_t>(nearest)] = true;
+      continued_[i] = nearest;
+      if (nearest != kNew) is_continued_[static_cast<std::size_t>(nearest)] = true;
     }
   }
 
-  btVector3 normal_on_b;
-  int size;
-  std::array<Contact, dgd::ContactPatch<double>::kMaxPoints> contacts;
-  std::array<bool, MANIFOLD_CACHE_SIZE> is_continued{};  // By the manifold's points.
+  /// The manifold's point that a contact continues, or kNew. No two contacts continue the same one.
+  int PointOf(std::size_t contact) const { return continued_[contact]; }
+  bool IsContinued(int point) const { return is_continued_[static_cast<std::size_t>(point)]; }
+  bool IsAnyContinued() const {
+    return std::find(is_continued_.begin(), is_continued_.end(), true) != is_continued_.end();
+  }
+  /// Where a contact is on body A, in A's frame.
+  const btVector3& OnAInBody(std::size_t contact) const { return on_a_in_body_[contact]; }
+
+  /// Drops the manifold's points that no contact continues. If there are contacts and none continues, the first point
+  /// is left for a new one to take its place: a contact that goes on at another point never passes through zero points.
+  /// @return whether it is left.
+  bool DropStale(btPersistentManifold& manifold) {
+    const bool spares_first = size_ > 0 && manifold.getNumContacts() > 0 && !IsAnyContinued();
+    for (int j = manifold.getNumContacts() - 1; j >= (spares_first ? 1 : 0); --j) {
+      if (IsContinued(j)) continue;
+      // Bullet moves the last point into the gap.
+      const int last = manifold.getNumContacts() - 1;
+      manifold.removeContactPoint(j);
+      for (std::size_t i = 0; i < size_; ++i) {
+        if (continued_[i] == last) continued_[i] = j;
+      }
+    }
+    return spares_first;
+  }
+
+ private:
+  std::size_t size_;
+  std::array<btVector3, MANIFOLD_CACHE_SIZE> on_a_in_body_;
+  std::array<int, MANIFOLD_CACHE_SIZE> continued_;
+  std::array<bool, MANIFOLD_CACHE_SIZE> is_continued_{};  // By the manifold's points.
 };
 
-void DropStalePoints(btPersistentManifold& manifold, BulletPatch& patch) {
-  for (int j = manifold.getNumContacts() - 1; j >= 0; --j) {
-    if (patch.is_continued[static_cast<std::size_t>(j)]) continue;
-    // Bullet moves the last point into the gap.
-    const int last = manifold.getNumContacts() - 1;
-    manifold.removeContactPoint(j);
-    for (int i = 0; i < patch.size; ++i) {
-      BulletPatch::Contact& contact = patch.contacts[static_cast<std::size_t>(i)];
-      if (contact.continued == last) contact.continued = j;
-    }
-  }
-}
-
-/// As btManifoldResult::addContactPoint() leaves points that it continues, and btPersistentManifold's refresh after it.
-class ContactRenewal {
+/// The names of parts and triangles that a result gives new points, for which Bullet has no other use.
+class Identifiers : public btManifoldResult {
  public:
-  /// @param time_step  Seconds; 0 for no anchors.
-  ContactRenewal(const btVector3& normal_on_b, btScalar time_step, const btManifoldResult& output)
-      : normal_on_b_(normal_on_b),
-        wrapper_a_(*output.getBody0Wrap()),
-        wrapper_b_(*output.getBody1Wrap()),
-        pose_a_(wrapper_a_.getCollisionObject()->getWorldTransform()),
-        pose_b_(wrapper_b_.getCollisionObject()->getWorldTransform()),
-        anchors_(*output.getPersistentManifold(), time_step),
-        materials_(*wrapper_a_.getCollisionObject(), *wrapper_b_.getCollisionObject()) {
-    btPlaneSpace1(normal_on_b_, lateral_1_, lateral_2_);
-    is_seen_by_app_ =
-        gContactAddedCallback != nullptr && HasFlag(*wrapper_a_.getCollisionObject(), *wrapper_b_.getCollisionObject(),
-                                                    btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+  /// @param is_swapped  Whether the manifold's first body is the result's second.
+  static void Apply(const btManifoldResult& output, bool is_swapped, btManifoldPoint& point) {
+    point.m_partId0 = output.*(is_swapped ? &Identifiers::m_partId1 : &Identifiers::m_partId0);
+    point.m_partId1 = output.*(is_swapped ? &Identifiers::m_partId0 : &Identifiers::m_partId1);
+    point.m_index0 = output.*(is_swapped ? &Identifiers::m_index1 : &Identifiers::m_index0);
+    point.m_index1 = output.*(is_swapped ? &Identifiers::m_index0 : &Identifiers::m_index1);
   }
+};
 
-  void Renew(const BulletPatch::Contact& contact, btManifoldPoint& point) const {
+/// As btManifoldResult::addContactPoint() leaves points, new ones and those that it continues.
+class PointWriter {
+ public:
+  /// @param anchor_time_step  Seconds, for friction anchors; 0 for none.
+  PointWriter(btScalar anchor_time_step, btManifoldResult& output)
+      : output_(output),
+        manifold_(*output.getPersistentManifold()),
+        is_swapped_(manifold_.getBody0() != output.getBody0Internal()),
+        pose_a_(manifold_.getBody0()->getWorldTransform()),
+        pose_b_(manifold_.getBody1()->getWorldTransform()),
+        anchors_(manifold_, anchor_time_step),
+        materials_(*WrapperA().getCollisionObject(), *WrapperB().getCollisionObject()),
+        is_seen_by_app_(gContactAddedCallback != nullptr &&
+                        HasFlag(*WrapperA().getCollisionObject(), *WrapperB().getCollisionObject(),
+                                btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK)) {}
+
+  void Renew(const ManifoldContact& contact, const btVector3& on_a_in_body, btManifoldPoint& point) {
     const bool is_held = anchors_.CanHold(point);
     const btVector3 slip = is_held ? anchors_.SlipOf(point) : btVector3(0, 0, 0);
-    point.m_localPointA = contact.on_a_in_body;
-    point.m_localPointB = pose_b_.invXform(contact.on_b);
-    point.m_positionWorldOnA = contact.on_a;
-    point.m_positionWorldOnB = contact.on_b;
-    point.m_normalWorldOnB = normal_on_b_;
-    point.m_lateralFrictionDir1 = lateral_1_;
-    point.m_lateralFrictionDir2 = lateral_2_;
-    point.m_distance1 = contact.separation;
+    Fill(contact, on_a_in_body, point);
     // What only an app's callbacks set.
     point.m_contactPointFlags = 0;
     point.m_contactMotion1 = point.m_contactMotion2 = 0;
     point.m_contactCFM = point.m_contactERP = point.m_frictionCFM = 0;
     materials_.ApplyTo(point);
-    if (is_seen_by_app_) {
-      gContactAddedCallback(point, &wrapper_a_, point.m_partId0, point.m_index0, &wrapper_b_, point.m_partId1,
-                            point.m_index1);
-    }
+    Show(contact, point);
     if (is_held) anchors_.Hold(point, slip);
   }
 
+  /// @param place  Of a stale point, or the number of points.
+  void Add(const ManifoldContact& contact, const btVector3& on_a_in_body, int place) {
+    btManifoldPoint point(on_a_in_body, {}, contact.normal_on_b, contact.separation);
+    Fill(contact, on_a_in_body, point);
+    Identifiers::Apply(output_, is_swapped_, point);
+    materials_.ApplyTo(point);
+    const bool is_first = manifold_.getNumContacts() == 0;
+    if (place == manifold_.getNumContacts()) {
+      // As Bullet's own: so the distance may be above the breaking threshold.
+      constexpr bool kIsPredictive = true;
+      manifold_.addManifoldPoint(point, kIsPredictive);
+    } else {
+      manifold_.clearUserCache(manifold_.getContactPoint(place));
+      manifold_.getContactPoint(place) = point;
+    }
+    Show(contact, manifold_.getContactPoint(place));
+    if (is_first && gContactStartedCallback != nullptr) gContactStartedCallback(&manifold_);
+  }
+
  private:
-  const btVector3& normal_on_b_;
-  const btCollisionObjectWrapper &wrapper_a_, &wrapper_b_;
+  const btCollisionObjectWrapper& WrapperA() const {
+    return is_swapped_ ? *output_.getBody1Wrap() : *output_.getBody0Wrap();
+  }
+  const btCollisionObjectWrapper& WrapperB() const {
+    return is_swapped_ ? *output_.getBody0Wrap() : *output_.getBody1Wrap();
+  }
+
+  void Fill(const ManifoldContact& contact, const btVector3& on_a_in_body, btManifoldPoint& point) {
+    // Most often all contacts of a manifold have one normal.
+    if (!(contact.normal_on_b == normal_)) {
+      normal_ = contact.normal_on_b;
+      btPlaneSpace1(normal_, lateral_1_, lateral_2_);
+    }
+    point.m_localPointA = on_a_in_body;
+    point.m_localPointB = pose_b_.invXform(contact.on_b);
+    point.m_positionWorldOnA = contact.OnA();
+    point.m_positionWorldOnB = contact.on_b;
+    point.m_normalWorldOnB = normal_;
+    point.m_lateralFrictionDir1 = lateral_1_;
+    point.m_lateralFrictionDir2 = lateral_2_;
+    point.m_distance1 = contact.separation;
+  }
+
+  /// Names the point's triangle, and has an app's callback see it.
+  void Show(const ManifoldContact& contact, btManifoldPoint& point) const {
+    if (contact.triangle == nullptr) {
+      if (is_seen_by_app_) Call(WrapperA(), WrapperB(), point);
+      return;
+    }
+    // A mesh is the second body whatever the order of the call.
+    point.m_partId1 = contact.triangle->part;
+    point.m_index1 = contact.triangle->index;
+    if (!is_seen_by_app_) return;
+    const TriangleBody triangle(*contact.triangle, WrapperB());
+    Call(WrapperA(), triangle.wrapper(), point);
+  }
+
+  static void Call(const btCollisionObjectWrapper& a, const btCollisionObjectWrapper& b, btManifoldPoint& point) {
+    gContactAddedCallback(point, &a, point.m_partId0, point.m_index0, &b, point.m_partId1, point.m_index1);
+  }
+
+  btManifoldResult& output_;
+  btPersistentManifold& manifold_;
+  const bool is_swapped_;
   const btTransform &pose_a_, &pose_b_;  // Of the bodies, in whose frames the points are.
   const FrictionAnchors anchors_;
   const ContactMaterials materials_;
-  bool is_seen_by_app_;
-  btVector3 lateral_1_, lateral_2_;
+  const bool is_seen_by_app_;
+  btVector3 normal_{0, 0, 0}, lateral_1_, lateral_2_;  // Of the last contact.
 };
 
 /// Bullet refuses points beyond the breaking threshold: speculative ones need it raised until they have passed.
@@ -159,37 +213,80 @@ class RaisedThreshold {
   const btScalar threshold_;
 };
 
-void WriteInPlace(BulletPatch& patch, btScalar anchor_time_step, btManifoldResult& output) {
+void WriteInPlace(std::span<const ManifoldContact> contacts, btScalar anchor_time_step, btManifoldResult& output) {
   btPersistentManifold& manifold = *output.getPersistentManifold();
-  patch.FindContinued(manifold);
-  DropStalePoints(manifold, patch);
-  const ContactRenewal renewal(patch.normal_on_b, patch.size >= kFewestAnchors ? anchor_time_step : 0, output);
-  RaisedThreshold threshold(manifold);
-  for (int i = 0; i < patch.size; ++i) {
-    const BulletPatch::Contact& contact = patch.contacts[static_cast<std::size_t>(i)];
-    if (contact.continued != BulletPatch::kNew) {
-      renewal.Renew(contact, manifold.getContactPoint(contact.continued));
+  ContinuedContacts continued(contacts, manifold);
+  bool has_spare = continued.DropStale(manifold);
+  PointWriter writer(contacts.size() >= std::size_t{kFewestAnchors} ? anchor_time_step : 0, output);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const int point = continued.PointOf(i);
+    if (point != ContinuedContacts::kNew) {
+      writer.Renew(contacts[i], continued.OnAInBody(i), manifold.getContactPoint(point));
     } else {
-      threshold.Admit(contact.separation);
-      output.addContactPoint(patch.normal_on_b, contact.on_b, contact.separation);
+      writer.Add(contacts[i], continued.OnAInBody(i), has_spare ? 0 : manifold.getNumContacts());
+      has_spare = false;
     }
   }
   CountStep(manifold);
 }
 
-void WriteThroughBullet(const dgd::ContactPatch<double>& patch, const Vector3& normal, bool drop_stale,
-                        btManifoldResult& output) {
+/// Adds contacts as Bullet does, which keeps the points that they continue.
+void AddThroughBullet(std::span<const ManifoldContact> contacts, btManifoldResult& output) {
+  if (!AreBodiesSomewhere(output)) return;
+  const btCollisionObjectWrapper* mesh = output.getBody0Wrap();
+  if (mesh->getCollisionObject() != output.getPersistentManifold()->getBody1()) mesh = output.getBody1Wrap();
+  for (const ManifoldContact& contact : contacts) {
+    if (!IsSomewhere(contact.on_b, contact.separation)) continue;
+    if (contact.triangle == nullptr) {
+      output.addContactPoint(contact.normal_on_b, contact.on_b, contact.separation);
+    } else {
+      const TriangleBody triangle(*contact.triangle, *mesh);
+      const ShownTriangle shown(output, triangle.wrapper());
+      output.addContactPoint(contact.normal_on_b, contact.on_b, contact.separation);
+    }
+  }
+}
+
+void WriteThroughBullet(std::span<const ManifoldContact> contacts, bool drop_stale, btManifoldResult& output) {
   btPersistentManifold& manifold = *output.getPersistentManifold();
-  BulletPatch contacts(patch, normal);
-  if (drop_stale) {
-    contacts.FindContinued(manifold);
-    DropStalePoints(manifold, contacts);
+  std::optional<btVector3> spare;
+  if (drop_stale && ContinuedContacts(contacts, manifold).DropStale(manifold)) {
+    spare = manifold.getContactPoint(0).m_localPointA;
   }
   RaisedThreshold threshold(manifold);
-  for (int i = 0; i < contacts.size; ++i) threshold.Admit(contacts.contacts[static_cast<std::size_t>(i)].separation);
-  WritePatch(patch, normal, output);
+  for (const ManifoldContact& contact : contacts) threshold.Admit(contact.separation);
+  AddThroughBullet(contacts, output);
+  const int last = manifold.getNumContacts() - 1;
+  if (spare && last > 0 && manifold.getContactPoint(0).m_localPointA == *spare) {
+    for (int i = 0; i < last; ++i) std::swap(manifold.getContactPoint(i), manifold.getContactPoint(i + 1));
+    manifold.removeContactPoint(last);
+  }
   output.refreshContactPoints();
   DropPointsNotFinite(manifold);
+}
+
+/// A patch in Bullet's numbers.
+class BulletPatch {
+ public:
+  BulletPatch(const dgd::ContactPatch<double>& patch, const Vector3& normal)
+      : size_(static_cast<std::size_t>(patch.size)) {
+    const btVector3 normal_on_b = ToBullet(-normal);
+    for (std::size_t i = 0; i < size_; ++i) {
+      const dgd::ContactPoint<double>& point = patch.points[i];
+      contacts_[i] = {normal_on_b, ToBullet(point.on_2), btScalar(point.separation)};
+    }
+  }
+
+  std::span<const ManifoldContact> Contacts() const { return {contacts_.data(), size_}; }
+
+ private:
+  std::size_t size_;
+  std::array<ManifoldContact, dgd::ContactPatch<double>::kMaxPoints> contacts_;
+};
+
+bool AreSomewhere(std::span<const ManifoldContact> contacts) {
+  return std::all_of(contacts.begin(), contacts.end(),
+                     [](const ManifoldContact& contact) { return IsSomewhere(contact.on_b, contact.separation); });
 }
 
 /// Points that were not there in the last step: a refresh counts their age.
@@ -234,18 +331,15 @@ bool Widens(const btVector3& point_on_b, const btPersistentManifold& manifold) {
   return false;
 }
 
-/// Whether the first point of a patch continues one of the manifold's.
-bool Continues(const dgd::ContactPatch<double>& patch, const Vector3& normal, const btPersistentManifold& manifold) {
-  BulletPatch contacts(patch, normal);
-  contacts.FindContinued(manifold);
-  return contacts.contacts[0].continued != BulletPatch::kNew;
+/// Whether a contact continues one of the manifold's points.
+bool Continues(std::span<const ManifoldContact> contact, const btPersistentManifold& manifold) {
+  return ContinuedContacts(contact, manifold).IsAnyContinued();
 }
 
 /// An app's own result has its own way with contacts, and Bullet has with points that it anchors.
 bool HasOwnWay(const btManifoldResult& output) {
-  const btCollisionObject &body_0 = *output.getBody0Internal(), &body_1 = *output.getBody1Internal();
-  return IsAskedByApp(output) || output.getPersistentManifold()->getBody0() != &body_0 ||
-         HasFlag(body_0, body_1, btCollisionObject::CF_HAS_FRICTION_ANCHOR);
+  return IsAskedByApp(output) ||
+         HasFlag(*output.getBody0Internal(), *output.getBody1Internal(), btCollisionObject::CF_HAS_FRICTION_ANCHOR);
 }
 
 }  // namespace
@@ -264,23 +358,20 @@ void OrderByImpulse(btPersistentManifold& manifold) {
 }
 
 void WritePatch(const dgd::ContactPatch<double>& patch, const Vector3& normal, btManifoldResult& output) {
-  if (!AreBodiesSomewhere(output)) return;
-  const btVector3 normal_on_b = ToBullet(-normal);
-  for (int i = 0; i < patch.size; ++i) {
-    const dgd::ContactPoint<double>& point = patch.points[static_cast<std::size_t>(i)];
-    const btVector3 on_b = ToBullet(point.on_2);
-    const auto separation = btScalar(point.separation);
-    if (IsSomewhere(on_b, separation)) output.addContactPoint(normal_on_b, on_b, separation);
-  }
+  AddThroughBullet(BulletPatch(patch, normal).Contacts(), output);
 }
 
 void UpdateManifold(const dgd::ContactPatch<double>& patch, const Vector3& normal, const PairMotion& motion,
                     const ManifoldUpdate& update, btManifoldResult& output) {
-  BulletPatch contacts(patch, normal);
-  if (update.drop_stale && !HasOwnWay(output) && contacts.IsSomewhere() && AreBodiesSomewhere(output)) {
+  UpdateManifold(BulletPatch(patch, normal).Contacts(), motion, update, output);
+}
+
+void UpdateManifold(std::span<const ManifoldContact> contacts, const PairMotion& motion, const ManifoldUpdate& update,
+                    btManifoldResult& output) {
+  if (update.drop_stale && !HasOwnWay(output) && AreSomewhere(contacts) && AreBodiesSomewhere(output)) {
     WriteInPlace(contacts, update.hold_stuck ? btScalar(motion.TimeStep()) : 0, output);
   } else {
-    WriteThroughBullet(patch, normal, update.drop_stale, output);
+    WriteThroughBullet(contacts, update.drop_stale, output);
   }
   btPersistentManifold& manifold = *output.getPersistentManifold();
   for (int i = 0; i < manifold.getNumContacts(); ++i) PrepareRebound(manifold.getContactPoint(i), motion);
@@ -296,13 +387,12 @@ void AddToShared(const dgd::ContactPatch<double>& patch, const Vector3& normal, 
     WritePatch(patch, normal, output);
     return;
   }
-  dgd::ContactPatch<double> deepest = patch;
-  deepest.size = 1;
-  const dgd::ContactPoint<double>& point = deepest.points[0];
+  const BulletPatch contacts(patch, normal);
+  const std::span<const ManifoldContact> deepest = contacts.Contacts().first(1);
   const auto of_manifold = double(manifold.getContactPoint(DeepestOf(manifold)).getDistance());
-  if (point.separation + equal_depth < of_manifold || Continues(deepest, normal, manifold) ||
-      Widens(ToBullet(point.on_2), manifold)) {
-    WritePatch(deepest, normal, output);
+  if (patch.points[0].separation + equal_depth < of_manifold || Continues(deepest, manifold) ||
+      Widens(deepest[0].on_b, manifold)) {
+    AddThroughBullet(deepest, output);
   }
 }
 

@@ -6,6 +6,10 @@
 // copy it, and compute it once more in the refresh, at three times the cost.
 #pragma once
 
+#include <LinearMath/btVector3.h>
+
+#include <span>
+
 #include "bullet_conversions.h"
 #include "dgd/contact_patch.h"
 #include "pair_motion.h"
@@ -14,6 +18,18 @@ class btManifoldResult;
 class btPersistentManifold;
 
 namespace dgd_bullet {
+
+struct MeshTriangle;
+
+/// A contact in Bullet's numbers, of bodies A and B.
+struct ManifoldContact {
+  btVector3 OnA() const { return on_b + normal_on_b * separation; }
+
+  btVector3 normal_on_b;                   ///< Unit, from B to A, world.
+  btVector3 on_b;                          ///< World, metres.
+  btScalar separation;                     ///< Metres, negative for overlap.
+  const MeshTriangle* triangle = nullptr;  ///< That it is on, if body B is a mesh. Outlives the contact.
+};
 
 /// Hands the patch over, but for points beyond what Bullet can compute with. `normal` points from A to B, the shapes in
 /// the order of the call; Bullet's points from B to A.
@@ -29,11 +45,18 @@ struct ManifoldUpdate {
 /// Makes the points of a manifold that this pair owns those of the patch. A point of the patch continues the nearest
 /// one within the breaking threshold, by its position on body A, as in Bullet's own cache: its impulse is kept.
 /// Bullet's callbacks for contacts are called as Bullet would.
+/// @param normal  From body A to body B, in the manifold's own order.
 /// @param motion  Of the manifold's bodies within the step, where its points are ahead of that; for rebounds
 ///                (restitution.h) and anchors.
 /// @param output  Of the call; its manifold is the pair's.
 void UpdateManifold(const dgd::ContactPatch<double>& patch, const Vector3& normal, const PairMotion& motion,
                     const ManifoldUpdate& update, btManifoldResult& output);
+
+/// The same for contacts with normals of their own, as those of a mesh. As long as there is any, the manifold is never
+/// without points, so that Bullet's callbacks for the beginning and the end of a contact are not called in between.
+/// @param contacts  Of the manifold's bodies in its own order; MANIFOLD_CACHE_SIZE at most.
+void UpdateManifold(std::span<const ManifoldContact> contacts, const PairMotion& motion, const ManifoldUpdate& update,
+                    btManifoldResult& output);
 
 /// Adds a patch to a manifold that many pairs share, as a mesh's triangles do, and that is refreshed when all have been
 /// asked. While there is room, and as long as all points are of this step, it is given all of the patch: Bullet keeps

@@ -77,8 +77,6 @@ bool Narrowphase::HandlesPlane(int convex_type, int plane_type) {
 btCollisionAlgorithmCreateFunc* Narrowphase::ContactCreateFunc(int type_0, int type_1) {
   if (Handles(type_0, type_1)) return &contact_create_func_;
   if (HandlesPlane(type_0, type_1) || HandlesPlane(type_1, type_0)) return &plane_contact_create_func_;
-  // Bullet keeps nothing of a triangle from step to step.
-  if (!options_.warm_start) return nullptr;
   if (HandlesMesh(type_0, type_1)) return &mesh_create_func_;
   if (HandlesMesh(type_1, type_0)) return &swapped_mesh_create_func_;
   return nullptr;

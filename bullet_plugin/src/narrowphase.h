@@ -47,6 +47,9 @@ class Narrowphase {
   btCollisionAlgorithmCreateFunc* ClosestPointsCreateFunc(int type_0, int type_1);
 
   const Options& options() const { return options_; }
+  /// Whether a step's contacts are ahead of the bodies' motion in it: Bullet's own accumulation of single points knows
+  /// nothing of that.
+  bool FollowsMotion() const { return options_.contact_patch; }
   HullCache& hulls() { return hulls_; }
   Statistics statistics() const;
 
@@ -81,11 +84,9 @@ class Narrowphase {
   };
 
   const Options options_;
-  // Bullet's own accumulation of single points knows none of this step's motion.
-  const bool follows_motion_ = options_.contact_patch;
-  PairCreateFunc<ConvexConvexAlgorithm> contact_create_func_{*this, follows_motion_};
+  PairCreateFunc<ConvexConvexAlgorithm> contact_create_func_{*this, FollowsMotion()};
   PairCreateFunc<ConvexConvexAlgorithm> closest_points_create_func_{*this, false};
-  PairCreateFunc<ConvexPlaneAlgorithm> plane_contact_create_func_{*this, follows_motion_};
+  PairCreateFunc<ConvexPlaneAlgorithm> plane_contact_create_func_{*this, FollowsMotion()};
   PairCreateFunc<ConvexPlaneAlgorithm> plane_closest_points_create_func_{*this, false};
   MeshCreateFunc mesh_create_func_{*this, false}, swapped_mesh_create_func_{*this, true};
   HullCache hulls_;

@@ -1,0 +1,31 @@
+// Which of a mesh's contacts a manifold holds: as many as Bullet's may.
+#pragma once
+
+#include <span>
+
+#include "dgd/contact_patch.h"
+#include "manifold_writer.h"
+#include "mesh_contacts.h"
+
+class btPersistentManifold;
+
+namespace dgd_bullet {
+
+class PairMotion;
+
+/// The chosen contacts, the most important first.
+struct ReducedContacts {
+  std::array<int, MANIFOLD_CACHE_SIZE> indices;
+  int size = 0;
+};
+
+/// Chooses up to settings.max_points contacts. Those that touch, or will by the end of the step, come before all
+/// others; among them the deepest of each direction, so that a body in a groove keeps both sides, then what spans most.
+/// Of what is as good within a tolerance, points are chosen that the manifold has already: else contacts take turns,
+/// and with them the impulses that the solver begins with, and what lies on a mesh trembles.
+/// @param settings  Its spacing, equal depth and number of points count.
+/// @param motion    Of body A, the manifold's first, and the mesh.
+ReducedContacts ReduceContacts(std::span<const MeshContact> contacts, const dgd::PatchSettings<double>& settings,
+                               const PairMotion& motion, const btPersistentManifold& manifold);
+
+}  // namespace dgd_bullet
