@@ -15,8 +15,9 @@ dgd_test::Route RouteOf(Narrowphase narrowphase) {
 }
 
 btTriangleMesh& AddSquares(btTriangleMesh& mesh, const Grid& grid) {
-  const auto corner = [&grid](int i, int j) {
-    return Vec((i - grid.cells / 2) * grid.pitch, (j - grid.cells / 2) * grid.pitch, 0);
+  const int middle = grid.cells / 2;
+  const auto corner = [&grid, middle](int i, int j) {
+    return Vec((i - middle) * grid.pitch, (j - middle) * grid.pitch, 0);
   };
   for (int i = 0; i < grid.cells; ++i) {
     for (int j = 0; j < grid.cells; ++j) {

@@ -68,10 +68,11 @@ double TippingLoad(double inertia, double most, const std::function<double(doubl
 /// @param apply  Puts a load on the box or its world for the next step.
 double MeasureTippingLoad(Lab& lab, const btRigidBody& body, double most, const std::function<void(double)>& apply) {
   lab.Run(kSettleTime);
-  for (double time = 0; time < kRampTime; time += lab.dt()) {
-    apply(most * (time + 0.5 * lab.dt()) / kRampTime);
+  const int steps = lab.StepsIn(kRampTime);
+  for (int step = 0; step < steps; ++step) {
+    apply(most * (step + 0.5) / steps);
     lab.Step();
-    if (TiltOf(body) >= kTippedAngle) return most * (time + lab.dt()) / kRampTime;
+    if (TiltOf(body) >= kTippedAngle) return most * (step + 1) / steps;
   }
   return most;
 }
