@@ -12,7 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSafeMarginShare = 0.1;  // Bullet's setSafeMargin: of the least half extent.
+constexpr double kSafeMarginShare = 0.1;     // Bullet's setSafeMargin: of the least half extent.
+constexpr double kBoxEdgeShare = 1.0 / 256;  // dgd_bullet::GeometryMode: of the least half extent.
 
 double SafeMargin(double least_half_extent, double margin) {
   return std::min(margin, kSafeMarginShare * least_half_extent);
@@ -49,7 +50,7 @@ Polyhedron ConeCore(const Cone& cone) {
 
 }  // namespace
 
-double RoundingRadius(const Shape& shape, double margin) {
+double BulletMargin(const Shape& shape, double margin) {
   return std::visit(
       Overloaded{
           [](const Sphere& sphere) { return sphere.radius; }, [](const Capsule& capsule) { return capsule.radius; },
@@ -57,6 +58,12 @@ double RoundingRadius(const Shape& shape, double margin) {
           [=](const Cylinder& cylinder) { return SafeMargin(std::min(cylinder.radius, cylinder.height / 2), margin); },
           [=](const Cone&) { return margin; }, [=](const Hull&) { return margin; }},
       shape);
+}
+
+double RoundingRadius(const Shape& shape, double margin) {
+  const auto* box = std::get_if<Box>(&shape);
+  if (box == nullptr) return BulletMargin(shape, margin);
+  return std::min(margin, kBoxEdgeShare * box->half_extents.minCoeff());
 }
 
 Polyhedron CoreOf(const Shape& shape, double margin) {

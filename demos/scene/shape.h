@@ -32,9 +32,13 @@ struct Hull {
 
 using Shape = std::variant<Sphere, Capsule, Box, Cylinder, Cone, Hull>;
 
-/// Bullet's collision geometry is a core plus a ball. Hulls and cones grow by the whole margin; boxes and cylinders
-/// keep their size and get round edges, of a tenth of their least half extent at most (btConvexInternalShape's
-/// setSafeMargin); for spheres and capsules the ball is their radius.
+/// What Bullet is told to be the shape's margin: the one asked for; of boxes and cylinders a tenth of their least half
+/// extent at most (btConvexInternalShape's setSafeMargin). That of spheres and capsules is their radius.
+double BulletMargin(const Shape& shape, double margin);
+
+/// The collision geometry is a core plus a ball. Hulls and cones grow by the whole margin; cylinders keep their size
+/// and get round edges of Bullet's margin; boxes keep theirs, with edges as good as sharp: of a 256th of their least
+/// half extent at most; for spheres and capsules the ball is their radius.
 /// @return radius of the ball, m.
 double RoundingRadius(const Shape& shape, double margin);
 

@@ -46,7 +46,7 @@ std::unique_ptr<btConvexShape> MakeBulletShape(const Shape& shape, double margin
       shape);
   // Without effect on spheres and capsules, whose radius is their margin. Boxes and cylinders keep their outer size.
   const bool radius_is_margin = std::holds_alternative<Sphere>(shape) || std::holds_alternative<Capsule>(shape);
-  if (!radius_is_margin) bullet->setMargin(ToBullet(RoundingRadius(shape, margin)));
+  if (!radius_is_margin) bullet->setMargin(ToBullet(BulletMargin(shape, margin)));
   return bullet;
 }
 

@@ -9,7 +9,8 @@
 
 namespace dgd_demos {
 
-/// The Bullet shape with the geometry that RoundingRadius() and CoreOf() describe.
+/// The Bullet shape with the geometry that RoundingRadius() and CoreOf() describe; of boxes, that is what the growth
+/// distance makes of it.
 std::unique_ptr<btConvexShape> MakeBulletShape(const Shape& shape, double margin);
 
 }  // namespace dgd_demos
