@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "asked_by_app.h"
+#include "contact_distance.h"
 #include "contact_drawer.h"
 #include "dgd_bullet/recorder.h"
 #include "manifold_writer.h"
@@ -76,14 +77,6 @@ void Swap(dgd::ContactPatch<double>& patch, dgd::Result<double>& result) {
     std::swap(point.on_1, point.on_2);
   }
   result.normal = -result.normal;
-}
-
-/// The farthest point of a shape along a direction, world.
-Vector3 SupportPoint(const PosedShape& shape, const Vector3& direction) {
-  const Vector3 local = shape.pose.rotation.transpose() * direction;
-  return std::visit(
-      [&](const auto& set) -> Vector3 { return shape.pose * set.core.Support(local).point + set.radius * direction; },
-      shape.set);
 }
 
 /// The app's own word on which bodies are worth a sweep.
@@ -182,9 +175,13 @@ bool ConvexConvexAlgorithm::CanDoWithoutManifold(const btCollisionObjectWrapper&
 
 struct ConvexConvexAlgorithm::Query {
   /// @param hull_a, hull_b  The shapes' hulls where they have one, which may be known already.
+  /// @param contacts        Where the motion and the result go.
   Query(Narrowphase& narrowphase, const btCollisionObjectWrapper& body_a, std::shared_ptr<const CachedHull>& hull_a,
-        const btCollisionObjectWrapper& body_b, std::shared_ptr<const CachedHull>& hull_b)
-      : shape_a(Adapt(narrowphase, body_a, hull_a)), shape_b(Adapt(narrowphase, body_b, hull_b)) {}
+        const btCollisionObjectWrapper& body_b, std::shared_ptr<const CachedHull>& hull_b, PairContacts& contacts)
+      : shape_a(Adapt(narrowphase, body_a, hull_a)),
+        shape_b(Adapt(narrowphase, body_b, hull_b)),
+        motion(contacts.motion),
+        result(contacts.result) {}
 
   static PosedShape Adapt(Narrowphase& narrowphase, const btCollisionObjectWrapper& body,
                           std::shared_ptr<const CachedHull>& hull) {
@@ -193,15 +190,16 @@ struct ConvexConvexAlgorithm::Query {
   }
 
   PosedShape shape_a, shape_b;
-  PairMotion motion;
+  PairMotion& motion;
   ContactRange range;
   dgd::PatchSettings<double> patch_settings;
   bool is_asked = false;     // By an app, for the contacts themselves.
+  bool is_of_mesh = false;   // One of many triangles.
   bool wants_least = false;  // The normal of least translation.
   dgd::Settings<double> settings;
 
   // The answer.
-  dgd::Result<double> result;
+  dgd::Result<double>& result;
   bool has_growth_distance = false;  // Else the signed distance, or a plane between the shapes.
   bool is_turned = false;            // The growth distance's normal, to that of least translation.
   bool has_facing = false;           // As what proved the signed distance.
@@ -220,7 +218,9 @@ std::optional<Fallback> ConvexConvexAlgorithm::SolveContacts(const btCollisionOb
   for (const auto& hull : {&hull_0_, &hull_1_}) {
     if (*hull != nullptr) (*hull)->Prefetch();
   }
-  Query query(narrowphase_, body_a, hull_0_, body_b, hull_1_);
+  contacts.result = {};
+  contacts.motion = {};
+  Query query(narrowphase_, body_a, hull_0_, body_b, hull_1_, contacts);
   Recall(is_other_order, query.shape_a.pose, query.shape_b.pose);
   prepare(query, is_swapped);
   query.wants_least = options.normal_mode == NormalMode::kLeastTranslation;
@@ -239,8 +239,6 @@ std::optional<Fallback> ConvexConvexAlgorithm::SolveContacts(const btCollisionOb
                     OutcomeOf(result, !query.has_growth_distance, contacts.patch.size));
   }
   if (is_swapped) Swap(contacts.patch, result);
-  contacts.result = result;
-  contacts.motion = query.motion;
   return std::nullopt;
 } catch (const std::bad_alloc&) {
   return Fallback::kNoMemory;  // For a hull.
@@ -258,9 +256,9 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObj
           reach_b(*(is_swapped ? body_0 : body_1)->getCollisionObject());
       query.motion = MotionOfStep(manifold_, reach_a, reach_b, info);
     }
-    query.range = RangeOfContacts(options, manifold_, query.motion, had_contact_, output);
+    query.range = RangeOfContacts(options, manifold_, query.motion, output);
     query.is_asked = IsAskedByApp(output);
-    query.patch_settings = PatchSettingsOf(options, manifold_, query.range, query.motion, query.is_asked, output);
+    query.patch_settings = PatchSettingsOf(options, manifold_, query.range, query.is_asked);
   };
   PairContacts contacts;
   if (const auto failure = SolveContacts(*body_0, *body_1, prepare, contacts)) return failure;
@@ -287,13 +285,13 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindTriangleContacts(const btColl
   if (Recorder* recorder = narrowphase_.options().recorder) recorder->Add(convex, triangle);
   const bool is_swapped = ComesBefore(triangle, convex);
   const PairMotion& motion = is_swapped ? triangle_query.reverse_motion : triangle_query.motion;
-  const auto get_motion_and_range = [&](const BodyReach&, const BodyReach&) {
-    return std::pair<const PairMotion&, const ContactRange&>(motion, triangle_query.range);
-  };
-  if (!triangle_query.is_drawn && StaysApartBy(convex, triangle, get_motion_and_range)) return std::nullopt;
+  const auto get_motion = [&](const BodyReach&, const BodyReach&) -> const PairMotion& { return motion; };
+  const double contact_distance = std::max(triangle_query.range.touching, 0.0);
+  if (!triangle_query.is_drawn && StaysApartBy(convex, triangle, contact_distance, get_motion)) return std::nullopt;
   const auto prepare = [&](Query& query, bool) {
     query.motion = motion;
     query.range = triangle_query.range;
+    query.is_of_mesh = true;
     query.patch_settings = triangle_query.patch_settings;
     query.is_asked = triangle_query.is_asked;
   };
@@ -414,23 +412,28 @@ ConvexConvexAlgorithm::Ahead ConvexConvexAlgorithm::MeetAhead(Query& query) {
   const bool is_touching = result.separation <= query.range.touching;
   if (!motion.MayApproachBy(result.separation, result.normal)) return is_touching ? Ahead::kPatch : Ahead::kNone;
   if (!is_touching && result.separation > query.range.limit) return Ahead::kNone;
+  const double flush = FlushOverlap(manifold_.BreakingThreshold());
   TurnNormal(query);
   FindFacing(query);
-  const double flush = FlushOverlap(manifold_.BreakingThreshold());
   const Vector3 middle = (result.witness_1 + result.witness_2) / 2;
   if (query.facing.IsInset(flush + motion.Passing(middle, result.normal))) return Ahead::kPatch;
   // Whether they meet beside what supports them, their weight does not say.
-  const PairMotion coasting = motion.WithoutForces();
-  if (!coasting.MayApproachBy(result.separation + flush, result.normal)) {
-    return is_touching ? Ahead::kPatch : Ahead::kNone;
+  MovingPair pair(query.shape_a, query.shape_b, motion.WithoutForces());
+  pair.MoveTo(1);
+  const double at_end = pair.SeparationAlong(result.normal);
+  if (at_end > -flush) return is_touching ? Ahead::kPatch : Ahead::kNone;
+  const PredictedEncounter predicted =
+      PredictEncounter(pair, query.settings, warm_start_, may_be_apart_, result, at_end, flush);
+  if (predicted.encounter == Encounter::kMeet) return Ahead::kPatch;
+  const double separation = predicted.contact.separation;
+  if (predicted.encounter == Encounter::kPass) {
+    // Other bodies' impacts may change that: the plane that they pass along keeps them apart then, and is of no effect
+    // otherwise. Not where a rebound would act on it, nor of a mesh, where the next triangle is what they pass to.
+    const bool is_plane_between = separation > -flush && separation <= query.range.touching;
+    if (!is_touching || query.is_of_mesh || query.range.is_rebound || !is_plane_between) return Ahead::kNone;
   }
-  // As FindNormal() does before it asks for a growth distance, which the sweep's planes come from.
-  if (!query.has_growth_distance) MoveCentersTogether(query.shape_a, query.shape_b);
-  const std::optional<PredictedImpact> impact =
-      PredictImpact(query.shape_a, query.shape_b, result, warm_start_, coasting, flush);
-  if (!impact) return Ahead::kNone;
-  if (impact->is_along_normal) return Ahead::kPatch;
-  result = impact->contact;
+  result = predicted.contact;
+  if (predicted.encounter == Encounter::kPass) result.separation = std::max(separation, 0.0);
   face_holder_ = dgd::FaceHolder::kNone;
   return Ahead::kPoint;
 }
@@ -452,16 +455,18 @@ bool ConvexConvexAlgorithm::StaysAtRest(const btCollisionObjectWrapper& body_0, 
 bool ConvexConvexAlgorithm::StaysApart(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
                                        const btDispatcherInfo& info, const btManifoldResult& output) {
   if (WantsContacts(info.m_debugDraw)) return false;
-  const auto get_motion_and_range = [&](const BodyReach& reach_a, const BodyReach& reach_b) {
-    const PairMotion motion = is_for_step_ ? MotionOfStep(manifold_, reach_a, reach_b, info) : PairMotion();
-    return std::pair(motion, RangeOfContacts(narrowphase_.options(), manifold_, motion, false, output));
+  const Options& options = narrowphase_.options();
+  const double contact_distance = ContactDistance(options, manifold_.BreakingThreshold(), output);
+  const auto get_motion = [&](const BodyReach& reach_a, const BodyReach& reach_b) {
+    const bool counts = is_for_step_ && options.speculative_contacts;
+    return counts ? MotionOfStep(manifold_, reach_a, reach_b, info) : PairMotion();
   };
-  return StaysApartBy(body_0, body_1, get_motion_and_range);
+  return StaysApartBy(body_0, body_1, contact_distance, get_motion);
 }
 
-template <class GetMotionAndRange>
+template <class GetMotion>
 bool ConvexConvexAlgorithm::StaysApartBy(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
-                                         const GetMotionAndRange& get_motion_and_range) try {
+                                         double contact_distance, const GetMotion& get_motion) try {
   const Options& options = narrowphase_.options();
   if (had_contact_ || face_holder_ != dgd::FaceHolder::kNone || !dgd::HasNormal(warm_start_) || !options.warm_start ||
       options.geometry_mode != GeometryMode::kBullet) {
@@ -474,10 +479,8 @@ bool ConvexConvexAlgorithm::StaysApartBy(const btCollisionObjectWrapper& body_0,
   const btVector3 normal = a.getWorldTransform().getBasis() * InBulletAxes(warm_start_.normal_1, UpAxis(ShapeOf(&a)));
   const double separation = SeparationAlong({a, reach_a}, {b, reach_b}, normal);
   // What memory is slow to bring comes last.
-  if (!(separation > 0)) return false;
-  const auto [motion, range] = get_motion_and_range(reach_a, reach_b);
-  if (!(separation > range.touching)) return false;
-  if (separation <= range.limit && motion.MayApproachBy(separation, FromBullet(normal))) return false;
+  if (!(separation > contact_distance)) return false;
+  if (get_motion(reach_a, reach_b).MayApproachBy(separation, FromBullet(normal))) return false;
   if (manifold_.IsOwn() && !manifold_.IsEmpty()) return false;  // Of an answer that was not ours.
   if (PairCounters* counters = narrowphase_.pair_counters()) {
     counters->Count(ShapeOf(&a).getShapeType(), ShapeOf(&b).getShapeType(),

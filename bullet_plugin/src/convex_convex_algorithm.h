@@ -142,11 +142,11 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
                   const btDispatcherInfo& info, const btManifoldResult& output);
 
   /// The same.
-  /// @param get_motion_and_range  std::pair<PairMotion, ContactRange>(const BodyReach& a, const BodyReach& b), in the
-  ///                              order that the shapes are solved in.
-  template <class GetMotionAndRange>
+  /// @param contact_distance  Nearer, that has to be found out; metres.
+  /// @param get_motion  PairMotion(const BodyReach& a, const BodyReach& b), in the order that the shapes are solved in.
+  template <class GetMotion>
   bool StaysApartBy(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
-                    const GetMotionAndRange& get_motion_and_range);
+                    double contact_distance, const GetMotion& get_motion);
 
   /// The face that the contacts' normal turns with, if any.
   Footing FootingOfContacts(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b) const;

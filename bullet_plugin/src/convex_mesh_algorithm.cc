@@ -8,8 +8,11 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <new>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "asked_by_app.h"
 #include "contact_drawer.h"
@@ -29,8 +32,8 @@ namespace dgd_bullet {
 struct MeshStep {
   explicit MeshStep(btDispatcher& dispatcher) : pairs(dispatcher) {}
 
-  void Begin(const btTransform& mesh, btScalar margin) {
-    contacts.Begin(mesh, margin);
+  void Begin(const btTransform& mesh) {
+    contacts.Begin(mesh);
     algorithms.clear();
   }
 
@@ -84,10 +87,11 @@ class TriangleVisit final : public btTriangleCallback {
         step_(step),
         output_(output) {}
 
-  /// All contacts that count.
+  /// All contacts that count. Throws std::bad_alloc.
   void Gather() {
     FindBox();
     static_cast<const btConcaveShape&>(*mesh_.getCollisionShape()).processAllTriangles(this, low_, high_);
+    if (is_out_of_memory_) throw std::bad_alloc();
     step_.contacts.RemoveGhosts();
     if (query_.motion.MaxApproach() > query_.range.touching) {
       for (int i = 0; i < step_.contacts.triangles(); ++i) {
@@ -102,7 +106,16 @@ class TriangleVisit final : public btTriangleCallback {
   bool HasForeign() const { return has_foreign_; }
 
   void processTriangle(btVector3* corners, int part, int index) override {
-    if (!TestTriangleAgainstAabb2(corners, low_, high_)) return;
+    if (is_out_of_memory_ || !TestTriangleAgainstAabb2(corners, low_, high_)) return;
+    try {
+      Visit(corners, part, index);
+    } catch (const std::bad_alloc&) {
+      is_out_of_memory_ = true;  // An app's mesh may have to be unlocked: nothing is thrown through it.
+    }
+  }
+
+ private:
+  void Visit(const btVector3* corners, int part, int index) {
     const int i = step_.contacts.AddTriangle(corners, part, index);
     step_.algorithms.push_back(nullptr);
     const TriangleBody triangle(step_.contacts.triangle(i), mesh_);
@@ -115,10 +128,11 @@ class TriangleVisit final : public btTriangleCallback {
     btCollisionAlgorithm* algorithm = dispatcher_.findAlgorithm(
         &convex_, &triangle.wrapper(), output_.getPersistentManifold(), BT_CONTACT_POINT_ALGORITHMS);
     if (algorithm == nullptr) return;
-    bool is_kept = false;
+    const auto give_back = [&](btCollisionAlgorithm* given) { GiveBack(dispatcher_, given); };
+    std::unique_ptr<btCollisionAlgorithm, decltype(give_back)> owner(algorithm, give_back);
     if (auto* ours = dynamic_cast<ConvexConvexAlgorithm*>(algorithm)) {
-      is_kept = step_.pairs.Keep(part, index, ours);
-      if (is_kept) step_.algorithms.back() = ours;
+      if (step_.pairs.Keep(part, index, ours))
+        step_.algorithms.back() = static_cast<ConvexConvexAlgorithm*>(owner.release());
       AddContacts(*ours, triangle.wrapper(), i);
     } else {
       // Which may rely on being new in each step.
@@ -126,10 +140,8 @@ class TriangleVisit final : public btTriangleCallback {
       const ShownTriangle shown(output_, triangle.wrapper());
       algorithm->processCollision(&convex_, &triangle.wrapper(), info_, &output_);
     }
-    if (!is_kept) GiveBack(dispatcher_, algorithm);
   }
 
- private:
   /// Of all places where the body may touch the mesh within the step.
   void FindBox() {
     const btTransform in_mesh = mesh_.getWorldTransform().inverseTimes(convex_.getWorldTransform());
@@ -192,7 +204,7 @@ class TriangleVisit final : public btTriangleCallback {
   btDispatcher& dispatcher_;
   MeshStep& step_;
   btManifoldResult& output_;
-  bool has_foreign_ = false;
+  bool has_foreign_ = false, is_out_of_memory_ = false;
   btVector3 low_, high_, middle_;  // Of the convex body's bounding box, in the mesh's frame.
 };
 
@@ -242,8 +254,7 @@ bool ConvexMeshAlgorithm::FindContacts(const btCollisionObjectWrapper& convex, c
   const btCollisionObject &body = *convex.getCollisionObject(), &ground = *mesh.getCollisionObject();
   manifold_->setBodies(&body, &ground);
   const Options& options = narrowphase_.options();
-  const bool has_margin = options.geometry_mode == GeometryMode::kBullet;
-  step_->Begin(mesh.getWorldTransform(), has_margin ? mesh.getCollisionShape()->getMargin() : btScalar(0));
+  step_->Begin(mesh.getWorldTransform());
   // Of the triangles; the contacts are written into the pair's own.
   const PairManifold shared(manifold_);
   const bool is_asked = IsAskedByApp(output);
@@ -251,11 +262,11 @@ bool ConvexMeshAlgorithm::FindContacts(const btCollisionObjectWrapper& convex, c
   const PairMotion motion =
       follows_motion ? PairMotion(BodyReach(body), BodyReach(ground), double(info.m_timeStep)) : PairMotion();
   const PairMotion reverse = motion.Reversed();
-  const ContactRange range = RangeOfContacts(options, shared, motion, manifold_->getNumContacts() > 0, output);
+  const ContactRange range = RangeOfContacts(options, shared, motion, output);
   const TriangleQuery query{.motion = motion,
                             .reverse_motion = reverse,
                             .range = range,
-                            .patch_settings = PatchSettingsOf(options, shared, range, motion, is_asked, output),
+                            .patch_settings = PatchSettingsOf(options, shared, range, is_asked),
                             .is_asked = is_asked,
                             .is_drawn = WantsContacts(info.m_debugDraw)};
   TriangleVisit visit(convex, mesh, info, query, *m_dispatcher, *step_, output);
@@ -270,11 +281,11 @@ bool ConvexMeshAlgorithm::FindContacts(const btCollisionObjectWrapper& convex, c
 
 void ConvexMeshAlgorithm::Write(const TriangleQuery& query, bool has_foreign, const btDispatcherInfo& info,
                                 btManifoldResult& output) {
-  const std::span<const MeshContact> contacts = step_->contacts.contacts();
-  const ReducedContacts reduced = ReduceContacts(contacts, query.patch_settings, query.motion, *manifold_);
+  const ReducedContacts reduced =
+      ReduceContacts(step_->contacts.contacts(), query.patch_settings, query.motion, *manifold_);
   std::array<ManifoldContact, MANIFOLD_CACHE_SIZE> chosen;
   for (int i = 0; i < reduced.size; ++i) {
-    const MeshContact& contact = contacts[static_cast<std::size_t>(reduced.indices[static_cast<std::size_t>(i)])];
+    const MeshContact& contact = reduced.contacts[static_cast<std::size_t>(i)];
     chosen[static_cast<std::size_t>(i)] = {ToBullet(contact.normal_on_b), ToBullet(contact.on_b),
                                            btScalar(contact.separation), &step_->contacts.triangle(contact.triangle)};
     if (query.is_drawn) Draw(contact, *info.m_debugDraw);

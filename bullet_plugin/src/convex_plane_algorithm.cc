@@ -104,7 +104,7 @@ std::optional<Fallback> ConvexPlaneAlgorithm::FindContacts(const btCollisionObje
   const Border border = BorderOf(plane);
   const PairMotion motion =
       is_for_step_ ? MotionOfStep(manifold_, BodyReach(body), BodyReach(ground), info) : PairMotion();
-  const ContactRange range = RangeOfContacts(options, manifold_, motion, !manifold_.IsEmpty(), output);
+  const ContactRange range = RangeOfContacts(options, manifold_, motion, output);
   const auto is_out_of_reach = [&](double height) {
     return height > range.touching && (height > range.limit || !motion.MayApproachBy(height, -border.up));
   };
@@ -127,7 +127,7 @@ std::optional<Fallback> ConvexPlaneAlgorithm::FindContacts(const btCollisionObje
   dgd::ContactPatch<double> patch;
   if (!is_out_of_reach(result.separation)) {
     outcome.way = PairOutcome::Way::kSolved;
-    const auto settings = PatchSettingsOf(options, manifold_, range, motion, IsAskedByApp(output), output);
+    const auto settings = PatchSettingsOf(options, manifold_, range, IsAskedByApp(output));
     patch = options.contact_patch ? FindPatchOnPlane(posed, result, settings, motion, options) : WitnessOnly(result);
   }
   outcome.patch_size = patch.size;

@@ -41,12 +41,14 @@ class FrictionAnchors {
   FrictionAnchors(const btPersistentManifold& manifold, btScalar time_step)
       : a_(*manifold.getBody0()), b_(*manifold.getBody1()), time_step_(time_step) {
     max_slip_ = kMaxSlip * manifold.getContactBreakingThreshold();
+    can_hold_ = time_step > 0 && !a_.is_moved_by_app && !b_.is_moved_by_app;
+    if (!can_hold_) return;
     const btScalar farthest =
         btMax(a_.pose.getOrigin().absolute().dot({1, 1, 1}), b_.pose.getOrigin().absolute().dot({1, 1, 1}));
     roundoff_ = kRoundings * std::numeric_limits<btScalar>::epsilon() * farthest;
+    can_hold_ = roundoff_ <= kMostRoundoff * max_slip_;
     turning_ = a_.angular - b_.angular;
     linear_at_a_ = a_.linear - b_.linear - b_.angular.cross(a_.pose.getOrigin() - b_.pose.getOrigin());
-    can_hold_ = time_step > 0 && !a_.is_moved_by_app && !b_.is_moved_by_app && roundoff_ <= kMostRoundoff * max_slip_;
   }
 
   /// Whether a point may be held from this step on.
@@ -71,13 +73,13 @@ class FrictionAnchors {
     point.m_contactPointFlags |= BT_CONTACT_FLAG_FRICTION_ANCHOR;
   }
 
-  /// Brings a point up to date that is kept, not found again, as Bullet's refresh would: anchored with the slip that it
-  /// may be, and placed without any other.
+  /// Brings a point up to date that is kept, not found again, as Bullet's refresh would: one that is held is anchored
+  /// with the slip that it may have, and placed without any other.
   void RefreshKept(btManifoldPoint& point) const {
-    const bool can_hold = CanHold(point);
     btVector3 place_a = a_.pose(point.m_localPointA), place_b = b_.pose(point.m_localPointB);
-    const btVector3 slip = can_hold ? SlipOf(point, place_a, place_b) : btVector3(0, 0, 0);
-    const btVector3 excess = Across(place_a - place_b, point.m_normalWorldOnB) - slip;
+    const bool can_hold = CanHold(point);
+    btVector3 excess = Across(place_a - place_b, point.m_normalWorldOnB);
+    if (can_hold) excess -= SlipOf(point, place_a, place_b);
     if (excess.length2() > roundoff_ * roundoff_) {
       const btVector3 half = btScalar(0.5) * excess;
       place_a -= half;
@@ -87,9 +89,7 @@ class FrictionAnchors {
     }
     point.m_contactPointFlags &= ~BT_CONTACT_FLAG_FRICTION_ANCHOR;
     if (can_hold) point.m_contactPointFlags |= BT_CONTACT_FLAG_FRICTION_ANCHOR;
-    point.m_positionWorldOnA = place_a;
-    point.m_positionWorldOnB = place_b;
-    point.m_distance1 = (place_a - place_b).dot(point.m_normalWorldOnB);
+    Place(point, place_a, place_b);
   }
 
  private:
@@ -122,6 +122,12 @@ class FrictionAnchors {
     return length_sq > max_slip_ * max_slip_ ? (max_slip_ / btSqrt(length_sq)) * slip : slip;
   }
 
+  static void Place(btManifoldPoint& point, const btVector3& place_a, const btVector3& place_b) {
+    point.m_positionWorldOnA = place_a;
+    point.m_positionWorldOnB = place_b;
+    point.m_distance1 = (place_a - place_b).dot(point.m_normalWorldOnB);
+  }
+
   static btVector3 Across(const btVector3& way, const btVector3& normal) { return way - way.dot(normal) * normal; }
 
   /// Of the breaking threshold: a body that slips by more has slid. By measurement (contact_report, float, no resting
@@ -135,8 +141,8 @@ class FrictionAnchors {
 
   const Body a_, b_;
   const btScalar time_step_;
-  btVector3 linear_at_a_, turning_;  // Of A as B sees it: velocity at A's origin, and angular.
-  btScalar max_slip_, roundoff_;
+  btVector3 linear_at_a_{0, 0, 0}, turning_{0, 0, 0};  // Of A as B sees it: velocity at A's origin, and angular.
+  btScalar max_slip_ = 0, roundoff_ = 0;               // Metres.
   bool can_hold_;
 };
 

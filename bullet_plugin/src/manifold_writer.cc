@@ -289,53 +289,6 @@ bool AreSomewhere(std::span<const ManifoldContact> contacts) {
                      [](const ManifoldContact& contact) { return IsSomewhere(contact.on_b, contact.separation); });
 }
 
-/// Points that were not there in the last step: a refresh counts their age.
-int CountAdded(const btPersistentManifold& manifold) {
-  int added = 0;
-  for (int i = 0; i < manifold.getNumContacts(); ++i) added += manifold.getContactPoint(i).getLifeTime() == 0;
-  return added;
-}
-
-int DeepestOf(const btPersistentManifold& manifold) {
-  int deepest = 0;
-  for (int i = 1; i < manifold.getNumContacts(); ++i) {
-    if (manifold.getContactPoint(i).getDistance() < manifold.getContactPoint(deepest).getDistance()) deepest = i;
-  }
-  return deepest;
-}
-
-/// A measure of what four points span, whatever their order: twice the area of a quadrilateral, square metres.
-btScalar Span(const std::array<btVector3, MANIFOLD_CACHE_SIZE>& points) {
-  const auto& [a, b, c, d] = points;
-  return std::max({(a - b).cross(c - d).length(), (a - c).cross(b - d).length(), (a - d).cross(b - c).length()});
-}
-
-/// Whether a point on body B, world, spans clearly more with three points of a full manifold than all four do. The
-/// deepest stays, as in Bullet's own choice.
-bool Widens(const btVector3& point_on_b, const btPersistentManifold& manifold) {
-  // So a mesh's points do not take turns. By measurement, of a hundred boxes as in the test SharedManifold: with 1.05
-  // in its place they lie less still by a third, and land no less deep.
-  constexpr btScalar kClearly = btScalar(1.2);
-  std::array<btVector3, MANIFOLD_CACHE_SIZE> points;
-  for (int i = 0; i < MANIFOLD_CACHE_SIZE; ++i) {
-    points[static_cast<std::size_t>(i)] = manifold.getContactPoint(i).m_positionWorldOnB;
-  }
-  const btScalar enough = kClearly * Span(points);
-  const int deepest = DeepestOf(manifold);
-  for (int i = 0; i < MANIFOLD_CACHE_SIZE; ++i) {
-    if (i == deepest) continue;
-    std::array<btVector3, MANIFOLD_CACHE_SIZE> others = points;
-    others[static_cast<std::size_t>(i)] = point_on_b;
-    if (Span(others) > enough) return true;
-  }
-  return false;
-}
-
-/// Whether a contact continues one of the manifold's points.
-bool Continues(std::span<const ManifoldContact> contact, const btPersistentManifold& manifold) {
-  return ContinuedContacts(contact, manifold).IsAnyContinued();
-}
-
 /// An app's own result has its own way with contacts, and Bullet has with points that it anchors.
 bool HasOwnWay(const btManifoldResult& output) {
   return IsAskedByApp(output) ||
@@ -376,24 +329,6 @@ void UpdateManifold(std::span<const ManifoldContact> contacts, const PairMotion&
   btPersistentManifold& manifold = *output.getPersistentManifold();
   for (int i = 0; i < manifold.getNumContacts(); ++i) PrepareRebound(manifold.getContactPoint(i), motion);
   OrderByImpulse(manifold);
-}
-
-void AddToShared(const dgd::ContactPatch<double>& patch, const Vector3& normal, double equal_depth,
-                 btManifoldResult& output) {
-  if (patch.size == 0) return;
-  const btPersistentManifold& manifold = *output.getPersistentManifold();
-  const int size = manifold.getNumContacts();
-  if (size < MANIFOLD_CACHE_SIZE || CountAdded(manifold) == size || IsAskedByApp(output)) {
-    WritePatch(patch, normal, output);
-    return;
-  }
-  const BulletPatch contacts(patch, normal);
-  const std::span<const ManifoldContact> deepest = contacts.Contacts().first(1);
-  const auto of_manifold = double(manifold.getContactPoint(DeepestOf(manifold)).getDistance());
-  if (patch.points[0].separation + equal_depth < of_manifold || Continues(deepest, manifold) ||
-      Widens(deepest[0].on_b, manifold)) {
-    AddThroughBullet(deepest, output);
-  }
 }
 
 void CountStep(btPersistentManifold& manifold) {

@@ -58,16 +58,6 @@ void UpdateManifold(const dgd::ContactPatch<double>& patch, const Vector3& norma
 void UpdateManifold(std::span<const ManifoldContact> contacts, const PairMotion& motion, const ManifoldUpdate& update,
                     btManifoldResult& output);
 
-/// Adds a patch to a manifold that many pairs share, as a mesh's triangles do, and that is refreshed when all have been
-/// asked. While there is room, and as long as all points are of this step, it is given all of the patch: Bullet keeps
-/// what spans most. If it is full from earlier steps, it is given the deepest point alone, and only one that continues
-/// a point there, is deeper than all of them, or spans clearly more with three of them. Else triangles push out each
-/// other's points step after step, and with them the impulses that the solver begins with, and what lies on a mesh
-/// creeps and trembles, on Bullet's own algorithms as well.
-/// @param equal_depth  Deeper by less is not deeper; metres, >= 0.
-void AddToShared(const dgd::ContactPatch<double>& patch, const Vector3& normal, double equal_depth,
-                 btManifoldResult& output);
-
 /// Puts the points that carried more in the last step first. Bullet's contact solver goes through a manifold in this
 /// order, and its last word is the last point's: where that is one that carries much, the tilt that each level of a
 /// tower is left with feeds a sway. By measurement (contact_report): the bodies of scenes/tower_20.json move at 90 mm/s

@@ -13,9 +13,10 @@ namespace {
 /// what a ball is off its lowest point by when a corner beside it counts for it.
 constexpr double kMaxSine = 1e-4;
 
-/// Least cosine to its triangle's normal of a ghost that is told of the triangle's face: about 60 degrees. Others come
-/// from aside, and the face would be met at a depth that has nothing to do with them.
-constexpr double kFromAbove = 0.5;
+/// Least cosine to its triangle's normal of a ghost that is told of the triangle's face: about 11 degrees. Of faces
+/// that are tilted more, no more than a strip of two decimetres is within the contact distance, beside an edge that
+/// has contacts of its own.
+constexpr double kFromAbove = 0.996;
 
 /// Places within this part of a triangle's size are one: where apps compute corners twice, they differ by rounding.
 constexpr btScalar kSamePlace = btScalar(1e-4);
@@ -47,13 +48,16 @@ bool HasCorner(const MeshTriangle& triangle, const btVector3& place, btScalar to
          IsNear(triangle.corners[2], place, tolerance);
 }
 
-/// Whether a place is on a triangle.
+/// The point of an edge, or corner, that is nearest to a place.
+btVector3 NearestOn(const btVector3& from, const btVector3& to, const btVector3& place) {
+  const btVector3 edge = to - from;
+  const btScalar length_sq = edge.length2();
+  if (!(length_sq > 0)) return from;
+  return from + btClamped(edge.dot(place - from) / length_sq, btScalar(0), btScalar(1)) * edge;
+}
+
+/// Whether a place in its bounding box is on a triangle.
 bool IsOn(const MeshTriangle& triangle, const btVector3& place, btScalar tolerance) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto [low, high] =
-        std::minmax({triangle.corners[0][axis], triangle.corners[1][axis], triangle.corners[2][axis]});
-    if (!(place[axis] >= low - tolerance && place[axis] <= high + tolerance)) return false;
-  }
   const btVector3 &a = triangle.corners[0], &b = triangle.corners[1], &c = triangle.corners[2];
   const btVector3 area = (b - a).cross(c - a);
   const btScalar length = area.length();
@@ -80,10 +84,12 @@ bool RisesAbove(const MeshTriangle& triangle, const btVector3& place, const Vect
 
 }  // namespace
 
-void MeshContacts::Begin(const btTransform& mesh, btScalar margin) {
+void MeshContacts::Begin(const btTransform& mesh) {
   mesh_ = &mesh;
-  margin_ = margin;
+  rotation_ = FromBullet(mesh).rotation;
   triangles_.clear();
+  boxes_.clear();
+  sorted_.clear();
   states_.clear();
   patches_.clear();
   contacts_.clear();
@@ -93,6 +99,12 @@ void MeshContacts::Begin(const btTransform& mesh, btScalar margin) {
 
 int MeshContacts::AddTriangle(const btVector3* corners, int part, int index) {
   triangles_.push_back({{corners[0], corners[1], corners[2]}, part, index});
+  Box box{corners[0], corners[0]};
+  for (int i = 1; i < 3; ++i) {
+    box.low.setMin(corners[i]);
+    box.high.setMax(corners[i]);
+  }
+  boxes_.push_back(box);
   states_.push_back(State::kNone);
   return triangles() - 1;
 }
@@ -109,7 +121,9 @@ void MeshContacts::Add(int triangle, const dgd::ContactPatch<double>& patch, con
 void MeshContacts::RemoveGhosts() {
   for (Patch& patch : patches_) ClassifyFace(patch);
   for (std::size_t i = 0; i < patches_.size(); ++i) {
-    if (!patches_[i].counts) ClassifyFeature(i);
+    if (patches_[i].counts) continue;
+    if (sorted_.empty()) SortTriangles();
+    ClassifyFeature(i);
   }
   CoverGhosts();
   std::size_t kept = 0;
@@ -130,16 +144,32 @@ Vector3 MeshContacts::NormalTowards(int triangle, const btVector3& point) const 
   const Vector3 area = AreaOf(corners);
   if (!(area.squaredNorm() > 0)) return Vector3::Zero();
   const bool is_above = area.dot(FromBullet(point) - Corner(corners, 0)) > 0;
-  return FromBullet(mesh_->getBasis() * ToBullet((is_above ? 1 : -1) * area.normalized())).normalized();
+  const Vector3 normal = (rotation_ * area).normalized();
+  return is_above ? normal : Vector3(-normal);
+}
+
+void MeshContacts::SortTriangles() {
+  btVector3 low = boxes_[0].low, high = low, width(0, 0, 0);
+  for (const Box& box : boxes_) {
+    low.setMin(box.low);
+    high.setMax(box.low);
+    width.setMax(box.high - box.low);
+  }
+  sort_axis_ = (high - low).maxAxis();
+  max_width_ = width[sort_axis_];
+  for (int i = 0; i < triangles(); ++i) sorted_.push_back({boxes_[static_cast<std::size_t>(i)].low[sort_axis_], i});
+  std::sort(sorted_.begin(), sorted_.end(), [](const Sorted& a, const Sorted& b) {
+    return a.low < b.low || (a.low == b.low && a.triangle < b.triangle);
+  });
 }
 
 void MeshContacts::ClassifyFace(Patch& patch) {
   const Vector3 area = AreaOf(triangle(patch.triangle));
   if (!(area.squaredNorm() > 0)) return;
-  const Matrix3 rotation = FromBullet(*mesh_).rotation;
-  Vector3 face = (rotation * area).normalized();
+  Vector3 face = rotation_ * area;
   const Vector3 normal = contacts_[patch.begin].normal_on_b;
-  if (!(normal.cross(face).squaredNorm() <= kMaxSine * kMaxSine)) return;
+  if (!(normal.cross(face).squaredNorm() <= kMaxSine * kMaxSine * face.squaredNorm())) return;
+  face.normalize();
   if (normal.dot(face) < 0) face = -face;
   for (std::size_t i = patch.begin; i < patch.end; ++i) contacts_[i].normal_on_b = face;
   patch.counts = true;
@@ -172,24 +202,27 @@ MeshContacts::Feature MeshContacts::HighestFeature(const MeshTriangle& triangle,
 void MeshContacts::ClassifyFeature(std::size_t index) {
   Patch& patch = patches_[index];
   const MeshTriangle& own = triangle(patch.triangle);
-  const btVector3 direction = ToBullet(contacts_[patch.begin].normal_on_b) * mesh_->getBasis();
-  const Vector3 normal = FromBullet(direction);
+  const Vector3 normal = rotation_.transpose() * contacts_[patch.begin].normal_on_b;
   const btScalar tolerance = kSamePlace * SizeOf(own);
   const Feature feature = HighestFeature(own, normal);
   const btVector3& first = own.corners[static_cast<std::size_t>(feature.corners[0])];
   const btVector3& second = own.corners[static_cast<std::size_t>(feature.corners[1])];
-  // Where the triangle's own surface is, within its margin.
-  const btVector3 place = mesh_->invXform(ToBullet(contacts_[patch.begin].on_b)) - margin_ * direction;
+  // Where the contact is on the feature; deep inside each other, witness points are off both.
+  const btVector3 seen = NearestOn(first, second, mesh_->invXform(ToBullet(contacts_[patch.begin].on_b)));
   const auto hides = [&](const MeshTriangle& other) {
     if (HasCorner(other, first, tolerance) && (feature.size == 1 || HasCorner(other, second, tolerance))) {
       return RisesAbove(other, first, normal, tolerance);
     }
     // Of meshes whose triangles meet between corners.
-    return IsOn(other, place, tolerance) && RisesAbove(other, place, normal, tolerance);
+    return IsOn(other, seen, tolerance) && RisesAbove(other, seen, normal, tolerance);
   };
   State& state = states_[static_cast<std::size_t>(patch.triangle)];
   State found = State::kCounts;
-  for (int i = 0; i < triangles() && found != State::kCovered; ++i) {
+  auto next = std::lower_bound(sorted_.begin(), sorted_.end(), seen[sort_axis_] - max_width_ - tolerance,
+                               [](const Sorted& sorted, btScalar low) { return sorted.low < low; });
+  for (; next != sorted_.end() && next->low <= seen[sort_axis_] + tolerance && found != State::kCovered; ++next) {
+    const int i = next->triangle;
+    if (!boxes_[static_cast<std::size_t>(i)].Contains(seen, tolerance)) continue;
     if (i == patch.triangle || !hides(triangle(i))) continue;
     found = HasContacts(i) ? State::kCovered : State::kGhost;
     if (found == State::kGhost) links_.push_back({patch.triangle, i});

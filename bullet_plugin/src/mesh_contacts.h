@@ -34,15 +34,19 @@ struct MeshContact {
   Vector3 on_b;         ///< World, metres.
   double separation;    ///< Metres, negative for overlap.
   int triangle;         ///< Index among the step's triangles.
+
+  // Of the reduction (contact_reduction.h).
+  bool touches = false;                           // Or will by the end of the step.
+  bool is_continued = false;                      // The manifold has it already.
+  bool is_new_direction = true, is_apart = true;  // Of those that are kept.
 };
 
 /// Of one step; memory is kept for the next. All that adds may throw std::bad_alloc.
 class MeshContacts {
  public:
   /// Leaves nothing.
-  /// @param mesh    Pose of the mesh; outlives the step.
-  /// @param margin  By which contacts are off the triangles; metres.
-  void Begin(const btTransform& mesh, btScalar margin);
+  /// @param mesh  Pose of the mesh; outlives the step.
+  void Begin(const btTransform& mesh);
 
   /// Adds a triangle that the body is near, with contacts or without: its index.
   int AddTriangle(const btVector3* corners, int part, int index);
@@ -70,6 +74,18 @@ class MeshContacts {
  private:
   enum class State { kNone, kCounts, kGhost, kCovered };
 
+  /// Of a triangle, in the mesh's frame.
+  struct Box {
+    bool Contains(const btVector3& place, btScalar tolerance) const {
+      // Without a branch for each.
+      const btVector3 above = place - low, below = high - place;
+      return btMin(btMin(btMin(above.x(), above.y()), above.z()), btMin(btMin(below.x(), below.y()), below.z())) >=
+             -tolerance;
+    }
+
+    btVector3 low, high;
+  };
+
   /// Contacts along one normal.
   struct Patch {
     int triangle;
@@ -83,14 +99,24 @@ class MeshContacts {
     int size;
   };
 
+  /// Sorts the triangles along the axis that they spread most on.
+  void SortTriangles();
   void ClassifyFace(Patch& patch);
   void ClassifyFeature(std::size_t patch);
   Feature HighestFeature(const MeshTriangle& triangle, const Vector3& direction) const;
   void CoverGhosts();
 
   const btTransform* mesh_ = nullptr;
-  btScalar margin_ = 0;
+  Matrix3 rotation_;
   std::vector<MeshTriangle> triangles_;
+  std::vector<Box> boxes_;  // Of the triangles.
+  struct Sorted {
+    btScalar low;  // Of the box.
+    int triangle;
+  };
+  int sort_axis_ = 0;
+  btScalar max_width_ = 0;  // Of a box along that axis.
+  std::vector<Sorted> sorted_;
   std::vector<State> states_;  // Of the triangles.
   std::vector<Patch> patches_;
   std::vector<MeshContact> contacts_;

@@ -94,7 +94,7 @@ btScalar CoreSupportValue(const btConvexShape& shape, const btVector3& direction
       return Extent(capsule.getHalfHeight()) * btFabs(direction[capsule.getUpAxis()]);
     }
     case BOX_SHAPE_PROXYTYPE: {
-      const btVector3& half = static_cast<const btBoxShape&>(shape).getHalfExtentsWithoutMargin();
+      const btVector3 half = static_cast<const btBoxShape&>(shape).getHalfExtentsWithMargin();
       return Extent(half.x()) * btFabs(direction.x()) + Extent(half.y()) * btFabs(direction.y()) +
              Extent(half.z()) * btFabs(direction.z());
     }
@@ -114,7 +114,9 @@ double SupportValue(const PlacedShape& placed, const btVector3& direction) {
   // Of a part of a body, the origin is elsewhere.
   const btVector3 aside = (pose.getOrigin() - placed.body.object.getWorldTransform().getOrigin()).absolute();
   const double reach = placed.body.reach + double(aside.x() + aside.y() + aside.z());
-  return double(CoreSupportValue(shape, direction * pose.getBasis())) + double(shape.getMargin()) + kRounding * reach;
+  const bool is_box = shape.getShapeType() == BOX_SHAPE_PROXYTYPE;  // Its margin is within it.
+  return double(CoreSupportValue(shape, direction * pose.getBasis())) + (is_box ? 0 : double(shape.getMargin())) +
+         kRounding * reach;
 }
 
 }  // namespace

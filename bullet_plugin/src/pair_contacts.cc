@@ -41,7 +41,7 @@ PairMotion MotionOfStep(const PairManifold& manifold, const BodyReach& body_a, c
 }
 
 ContactRange RangeOfContacts(const Options& options, const PairManifold& manifold, const PairMotion& motion,
-                             bool was_in_contact, const btManifoldResult& output) {
+                             const btManifoldResult& output) {
   const double breaking_threshold = manifold.BreakingThreshold();
   if (!motion.IsKnown()) {
     const double distance = ContactDistance(options, breaking_threshold, output);
@@ -51,19 +51,16 @@ ContactRange RangeOfContacts(const Options& options, const PairManifold& manifol
   const bool has_response =
       output.getBody0Internal()->hasContactResponse() && output.getBody1Internal()->hasContactResponse();
   if (!has_response) return {0, 0};
-  double touching = kTouching * breaking_threshold;
-  if (options.contact_distance > 0) {
-    touching = options.contact_distance;
-  } else if (Rebounds(output)) {
+  double touching = options.contact_distance > 0 ? options.contact_distance : breaking_threshold;
+  const bool is_rebound = Rebounds(output);
+  if (is_rebound) {
     // Bodies that only touch must not share an impact that one of them is about to take: it passes on from each to the
     // next.
-    if (!IsLoaded(manifold)) touching = -touching;
-  } else if (was_in_contact) {
-    touching = breaking_threshold;
+    touching = (IsLoaded(manifold) ? 1 : -1) * kTouching * breaking_threshold;
   }
   const double limit =
       options.speculative_contacts ? std::numeric_limits<double>::infinity() : std::max(touching, breaking_threshold);
-  return {touching, limit};
+  return {touching, limit, is_rebound};
 }
 
 bool MayKeepContacts(const Options& options, const PairManifold& manifold) {
@@ -71,13 +68,9 @@ bool MayKeepContacts(const Options& options, const PairManifold& manifold) {
 }
 
 dgd::PatchSettings<double> PatchSettingsOf(const Options& options, const PairManifold& manifold,
-                                           const ContactRange& range, const PairMotion& motion, bool is_asked,
-                                           const btManifoldResult& output) {
+                                           const ContactRange& range, bool is_asked) {
   const double breaking_threshold = manifold.BreakingThreshold();
-  // Of bodies in contact, points that are near carry nothing unless they close in; where bodies rebound, they would
-  // take from that.
-  const bool only_touching = !motion.IsKnown() || range.limit <= 0 || Rebounds(output);
-  return {.contact_distance = only_touching ? range.touching : std::max(range.touching, breaking_threshold),
+  return {.contact_distance = range.touching,
           .spacing = breaking_threshold,
           .equal_depth = (is_asked ? kNoDepth : kEqualDepth) * breaking_threshold,
           .max_points = options.patch_size};
@@ -85,7 +78,7 @@ dgd::PatchSettings<double> PatchSettingsOf(const Options& options, const PairMan
 
 void WriteContacts(const dgd::ContactPatch<double>& patch, const Vector3& normal, const PairMotion& motion,
                    const Options& options, const PairManifold& manifold, btManifoldResult& output) {
-  if (!manifold.IsOwn()) return AddToShared(patch, normal, kEqualDepth * manifold.BreakingThreshold(), output);
+  if (!manifold.IsOwn()) return WritePatch(patch, normal, output);
   if (patch.size == 0 && manifold.IsEmpty()) return;  // As most pairs of a broadphase, step after step.
   UpdateManifold(patch, normal, motion, {.drop_stale = options.contact_patch, .hold_stuck = options.friction_anchors},
                  output);

@@ -16,13 +16,15 @@ namespace dgd_bullet {
 
 /// Up to which separation bodies are in contact.
 ///
-/// A point that is handed over ahead of touching takes its gap over the time step from the speed at which the bodies
-/// part, and acts on bodies that pass each other. So a pair that is apart has contacts only if the motion of this step
-/// closes the gap. What has been in contact keeps its points within Bullet's own breaking threshold: they carry
-/// nothing unless the gap closes.
+/// A point ahead of touching carries nothing unless the step closes its gap, but by other bodies' impacts it may: so
+/// bodies are in contact within Bullet's own breaking threshold. Where bodies approach each other, though, only if they
+/// really meet, since a contact would act on bodies that pass each other; and bodies that rebound only where they touch
+/// or will within the step, since a gap over the time step would be taken from the speed at which they part.
 struct ContactRange {
-  double touching;  ///< Metres: not farther apart, bodies are in contact however they move. Negative for an overlap.
-  double limit;     ///< Metres: farther apart, they are not, even if they will be by the end of the step.
+  double touching =
+      0;             ///< Metres: not farther apart, bodies are in contact however they move. Negative for an overlap.
+  double limit = 0;  ///< Metres: farther apart, they are not, even if they will be by the end of the step.
+  bool is_rebound = false;  ///< Whether the bodies rebound.
 };
 
 /// The motion that contacts may be ahead of; none where contacts are no step's, or go into a manifold that others
@@ -30,9 +32,8 @@ struct ContactRange {
 PairMotion MotionOfStep(const PairManifold& manifold, const BodyReach& body_a, const BodyReach& body_b,
                         const btDispatcherInfo& info);
 
-/// @param was_in_contact  In the last step.
 ContactRange RangeOfContacts(const Options& options, const PairManifold& manifold, const PairMotion& motion,
-                             bool was_in_contact, const btManifoldResult& output);
+                             const btManifoldResult& output);
 
 /// Separation of a pair of which nothing needs to be known but that it is apart; metres.
 inline double SeparationLimit(const ContactRange& range, const PairMotion& motion) {
@@ -47,8 +48,7 @@ bool MayKeepContacts(const Options& options, const PairManifold& manifold);
 
 /// @param is_asked  By an app, for the contacts themselves.
 dgd::PatchSettings<double> PatchSettingsOf(const Options& options, const PairManifold& manifold,
-                                           const ContactRange& range, const PairMotion& motion, bool is_asked,
-                                           const btManifoldResult& output);
+                                           const ContactRange& range, bool is_asked);
 
 /// Makes the manifold's points those of the patch, through the output.
 /// @param normal  Unit, from A to B, of which A is the manifold's first body, or the call's where it is shared.

@@ -1,30 +1,64 @@
-// Whether two bodies that are apart really meet within the time step, and where.
+// What becomes of two bodies that approach each other, within the time step.
 #pragma once
 
-#include <optional>
-
 #include "dgd/growth_distance.h"
+#include "dgd/motion.h"
 #include "pair_motion.h"
 #include "posed_shape.h"
 
 namespace dgd_bullet {
 
-/// Where two bodies meet within the step, as they are at its start.
-struct PredictedImpact {
-  bool is_along_normal;         ///< Whether they meet on about the plane that is between them now.
-  dgd::Result<double> contact;  ///< Else: the normal at the impact, and the two points that will touch.
+/// Two shapes on their ways over the step.
+class MovingPair {
+ public:
+  MovingPair(const PosedShape& shape_a, const PosedShape& shape_b, const PairMotion& motion)
+      : a_(shape_a), b_(shape_b), way_a_(motion.MotionOfA(a_.pose)), way_b_(motion.MotionOfB(b_.pose)) {}
+
+  /// @param time  From 0 to 1.
+  void MoveTo(double time);
+
+  /// Along a normal from A to B, where the shapes are; metres.
+  double SeparationAlong(const Vector3& normal) const;
+
+  /// The signed distance where the shapes are.
+  /// @param follows  Whether FollowDistance() can go on from the warm start.
+  dgd::Result<double> Distance(const dgd::Settings<double>& settings, bool follows,
+                               dgd::WarmStart<double>& warm_start) const;
+
+  /// A contact where the shapes are, as it is at the start of the step.
+  dgd::Result<double> AtStart(dgd::Result<double> contact) const;
+
+ private:
+  PosedShape a_, b_;
+  const dgd::Motion<double> way_a_, way_b_;
+  double time_ = 0;
 };
 
-/// Sweeps the shapes along the bodies' motion. That they approach along the normal between them does not say that they
-/// meet: a body that flies past an edge approaches it too, and a contact would deflect it.
-///
-/// By a few planes: bodies that turn very fast may be missed.
-/// @param flush       Metres: bodies that never overlap by more than this do not meet, so that one that slides over the
+enum class Encounter {
+  kMeet,       ///< They meet on about the plane that is between them now.
+  kMeetAside,  ///< They meet on another plane.
+  kPass,       ///< They do not meet.
+};
+
+struct PredictedEncounter {
+  Encounter encounter;
+  /// At the start of the step. kMeet: as it was. kMeetAside: along the normal that they meet on, of the two points that
+  /// will touch. kPass: along the last normal that keeps them apart, of the two points that are nearest then.
+  dgd::Result<double> contact;
+};
+
+/// Moves the shapes from plane to plane: each is the signed distance's where the last one lets them through, by
+/// conservative advancement with a linear bound (Mirtich 1996; not rigorous where bodies turn by much more than a tenth
+/// of a radian in the step). That bodies approach along the normal between them does not say that they meet: a body
+/// that flies past an edge approaches it too, and a contact would deflect it.
+/// @param pair        On its way; is moved.
+/// @param flush       Metres: bodies that overlap by less than about this do not meet, so that one that slides over the
 ///                    seam of two others, flush but for roundoff, is not stopped by the second one's side.
-/// @param result, warm_start  Of the shapes in their present poses; apart, or overlapping by less than `flush`.
-std::optional<PredictedImpact> PredictImpact(const PosedShape& shape_a, const PosedShape& shape_b,
-                                             const dgd::Result<double>& result,
-                                             const dgd::WarmStart<double>& warm_start, const PairMotion& motion,
-                                             double flush);
+/// @param settings, warm_start, follows  Of the last query of the pair.
+/// @param result, at_end  Of the shapes at the start, apart or overlapping by less than `flush`; and the separation
+///                        along its normal at the end of the step, which is an overlap by more than that.
+PredictedEncounter PredictEncounter(MovingPair& pair, const dgd::Settings<double>& settings,
+                                    dgd::WarmStart<double> warm_start, bool follows, const dgd::Result<double>& result,
+                                    double at_end, double flush);
 
 }  // namespace dgd_bullet

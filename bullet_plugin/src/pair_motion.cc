@@ -24,21 +24,13 @@ PairMotion::Twist PairMotion::Read(const BodyReach& body, double time_step) {
   const btRigidBody* rigid = btRigidBody::upcast(&body.object);
   if (rigid == nullptr || rigid->isStaticObject()) return {};
   const btVector3& origin = rigid->getWorldTransform().getOrigin();  // The centre of mass.
-  const auto time = btScalar(time_step);
-  // As Bullet's constraint solver reads them, but for gyroscopic torques.
-  const btVector3 linear_gain = time * rigid->getInvMass() * rigid->getTotalForce();
-  const btVector3 angular_gain = time * rigid->getTotalTorque() * rigid->getInvInertiaTensorWorld();
-  return {FromBullet(rigid->getLinearVelocity()),
-          FromBullet(rigid->getAngularVelocity()),
-          FromBullet(linear_gain),
-          FromBullet(angular_gain),
-          FromBullet(origin),
+  return {FromBullet(rigid->getLinearVelocity()), FromBullet(rigid->getAngularVelocity()),
+          FromBullet(btScalar(time_step) * rigid->getInvMass() * rigid->getTotalForce()), FromBullet(origin),
           body.reach};
 }
 
 dgd::Motion<double> PairMotion::Twist::MotionOf(const Pose& pose, double time) const {
-  return {pose, time * PredictedLinear(), time * PredictedAngular(),
-          pose.rotation.transpose() * (center - pose.translation)};
+  return {pose, time * PredictedLinear(), time * angular, pose.rotation.transpose() * (center - pose.translation)};
 }
 
 PairMotion::PairMotion(const BodyReach& body_a, const BodyReach& body_b, double time_step)

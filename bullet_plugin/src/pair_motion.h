@@ -60,20 +60,19 @@ class PairMotion {
     return time_step_ * (normal.dot(RelativeVelocity()) + a_.RimSpeed(normal) + b_.RimSpeed(normal));
   }
   double MaxApproach() const {
-    return time_step_ * (RelativeVelocity().norm() + a_.PredictedAngular().norm() * a_.reach +
-                         b_.PredictedAngular().norm() * b_.reach);
+    return time_step_ * (RelativeVelocity().norm() + a_.angular.norm() * a_.reach + b_.angular.norm() * b_.reach);
   }
   /// Whether that may be as much as `distance`, metres; also where velocities are NaN. Mostly without a root.
   bool MayApproachBy(double distance, const Vector3& normal) const {
     const double along = normal.dot(RelativeVelocity());
-    const double around = a_.PredictedAngular().lpNorm<1>() * a_.reach + b_.PredictedAngular().lpNorm<1>() * b_.reach;
+    const double around = a_.angular.lpNorm<1>() * a_.reach + b_.angular.lpNorm<1>() * b_.reach;
     return !(time_step_ * (along + around) < distance) && !(MaxApproach(normal) < distance);
   }
 
   /// The motion at the present velocities: what supports a body takes up its weight.
   PairMotion WithoutForces() const {
     PairMotion coasting = *this;
-    for (Twist* twist : {&coasting.a_, &coasting.b_}) twist->linear_gain = twist->angular_gain = Vector3::Zero();
+    for (Twist* twist : {&coasting.a_, &coasting.b_}) twist->gain = Vector3::Zero();
     return coasting;
   }
 
@@ -107,23 +106,19 @@ class PairMotion {
  private:
   struct Twist {
     Vector3 VelocityAt(const Vector3& point) const { return linear + angular.cross(point - center); }
-    Vector3 PredictedVelocityAt(const Vector3& point) const {
-      return PredictedLinear() + PredictedAngular().cross(point - center);
-    }
-    Vector3 PredictedLinear() const { return linear + linear_gain; }
-    Vector3 PredictedAngular() const { return angular + angular_gain; }
+    Vector3 PredictedVelocityAt(const Vector3& point) const { return VelocityAt(point) + gain; }
+    Vector3 PredictedLinear() const { return linear + gain; }
     dgd::Motion<double> MotionOf(const Pose& pose, double time) const;
     double Speed() const { return linear.norm() + angular.norm() * reach; }
     /// No point goes faster along `normal` by rotation alone, on average over whatever time: turned by an angle about
     /// an axis, a unit vector's end goes that angle at most times its distance from the axis.
-    double RimSpeed(const Vector3& normal) const { return PredictedAngular().cross(normal).norm() * reach; }
+    double RimSpeed(const Vector3& normal) const { return angular.cross(normal).norm() * reach; }
 
-    Vector3 linear = Vector3::Zero();       // Velocity of the centre of mass, metres per second.
-    Vector3 angular = Vector3::Zero();      // Radians per second.
-    Vector3 linear_gain = Vector3::Zero();  // What the forces on the body add to these within the step.
-    Vector3 angular_gain = Vector3::Zero();
-    Vector3 center = Vector3::Zero();  // World, metres.
-    double reach = 0;                  // From the centre to the body's farthest point, metres.
+    Vector3 linear = Vector3::Zero();   // Velocity of the centre of mass, metres per second.
+    Vector3 angular = Vector3::Zero();  // Radians per second.
+    Vector3 gain = Vector3::Zero();     // What the forces on the body add to its velocity within the step.
+    Vector3 center = Vector3::Zero();   // World, metres.
+    double reach = 0;                   // From the centre to the body's farthest point, metres.
   };
 
   static Twist Read(const BodyReach& body, double time_step);

@@ -7,6 +7,11 @@
 namespace dgd_bullet {
 namespace {
 
+/// Of the step: where a body that is in contact comes down on another of its corners, that carries it from the
+/// beginning of the step or, met later than this, of the next one. Whichever is nearer: always the one before would
+/// take energy from what rocks (tests/physics, rocking at 240 Hz: 0.12 in place of 0.09).
+constexpr double kSoon = 0.5;
+
 /// Whether another point may come to a patch: where bodies turn against each other on a face that has more corners than
 /// the patch may have, a disc or a polygon nearly as round. What rolls on its side shows no such face.
 bool MayCome(const dgd::ContactPatch<double>& patch, const dgd::SupportingFace<double>& face,
@@ -55,11 +60,17 @@ void FindFacingFaces(const PosedShape& shape_a, const PosedShape& shape_b, const
 dgd::ContactPatch<double> FindPatch(const dgd::Result<double>& result, const dgd::FacingFaces<double>& facing,
                                     const dgd::PatchSettings<double>& settings, const PairMotion& motion) {
   // Most often not, and then no corner's own speed is looked at.
-  const bool may_meet = motion.MayApproachBy(settings.contact_distance, result.normal);
-  const auto is_approaching = [&](const Vector3& point, double separation) {
-    return may_meet && separation <= motion.Approach(point, result.normal);
+  const bool may_meet = motion.MayApproachBy(settings.equal_depth, result.normal);
+  if (!may_meet) return dgd::FindContactPatch(result, facing, settings, [](const Vector3&, double) { return false; });
+  dgd::PatchSettings<double> touching = settings;
+  touching.contact_distance = std::min(settings.contact_distance, settings.equal_depth);
+  const bool is_in_touch = result.separation <= touching.contact_distance;
+  const auto counts = [&](const Vector3& point, double separation) {
+    const double approach = motion.Approach(point, result.normal);
+    if (approach < separation) return separation <= settings.contact_distance;
+    return !is_in_touch || separation <= kSoon * approach;
   };
-  return dgd::FindContactPatch(result, facing, settings, is_approaching);
+  return dgd::FindContactPatch(result, facing, touching, counts);
 }
 
 void AddRimPoint(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Result<double>& result,

@@ -1,7 +1,5 @@
 #include "pair_sweep.h"
 
-#include <utility>
-
 #include "pair_distance.h"
 #include "pair_solver.h"
 #include "pair_visit.h"
@@ -9,20 +7,16 @@
 namespace dgd_bullet {
 
 dgd::TimeOfImpactResult<double> SweepPair(const PosedShape& shape_a, const Motion& motion_a, const PosedShape& shape_b,
-                                          const Motion& motion_b, const dgd::SweepSettings<double>& settings,
-                                          const dgd::Result<double>* at_start, dgd::WarmStart<double> warm_start) {
+                                          const Motion& motion_b, const dgd::SweepSettings<double>& settings) {
   dgd::Settings<double> for_planes;
   for_planes.relative_tolerance = dgd::kPlaneTolerance<double>;
+  dgd::WarmStart<double> warm_start;
   PosedShape moved_a = shape_a, moved_b = shape_b;
   const auto plane_between = [&](const Pose& pose_a, const Pose& pose_b) {
-    if (const dgd::Result<double>* known = std::exchange(at_start, nullptr)) return *known;
     moved_a.pose = pose_a;
     moved_b.pose = pose_b;
     dgd::Result<double> plane = SolvePair(moved_a, moved_b, for_planes, warm_start);
-    const bool is_overlap_judged = settings.allowed_overlap > 0 && !(plane.separation > 0);
-    if (is_overlap_judged || dgd::IsUndecided(plane)) {
-      TurnToLeastTranslation(moved_a, moved_b, for_planes, warm_start, plane);
-    }
+    if (dgd::IsUndecided(plane)) TurnToLeastTranslation(moved_a, moved_b, for_planes, warm_start, plane);
     return plane;
   };
   // Planes are swept along one set at a time, most often twice: through a function pointer, this is compiled once and

@@ -29,6 +29,13 @@ void MoveCenterNear(const Vector3& point, PosedShape& shape) {
 
 }  // namespace
 
+Vector3 SupportPoint(const PosedShape& shape, const Vector3& direction) {
+  const Vector3 local = shape.pose.rotation.transpose() * direction;
+  return std::visit(
+      [&](const auto& set) -> Vector3 { return shape.pose * set.core.Support(local).point + set.radius * direction; },
+      shape.set);
+}
+
 void MoveCentersTogether(PosedShape& shape_a, PosedShape& shape_b) {
   if (!IsCentered(shape_a) && !IsCentered(shape_b)) return;  // Two hulls.
   // Both from where they were, so that the order of the two does not matter.

@@ -34,6 +34,9 @@ inline bool IsInOrder(const PosedShape& shape_a, const PosedShape& shape_b) {
   return shape_a.set.index() <= shape_b.set.index();
 }
 
+/// The farthest point of a shape along a direction of unit length; world.
+Vector3 SupportPoint(const PosedShape& shape, const Vector3& direction);
+
 /// Moves the shapes' centres near to each other, where their cores allow it (dgd::CenteredCore).
 void MoveCentersTogether(PosedShape& shape_a, PosedShape& shape_b);
 

@@ -8,6 +8,7 @@
 #include "hull_cache.h"
 #include "posed_shape.h"
 
+class btBoxShape;
 class btConvexShape;
 
 namespace dgd_bullet {
@@ -15,6 +16,11 @@ namespace dgd_bullet {
 /// A margin set larger than a box or cylinder leaves Bullet a negative core, which is no set: its extent counts as
 /// zero. NaN stays NaN, and is refused by the set.
 inline btScalar Extent(btScalar half_extent) { return half_extent < 0 ? btScalar(0) : half_extent; }
+
+/// Radius of a box's edges, within its size; metres. Boxes are sharp to who looks at them, and to Bullet's own test of
+/// two boxes: they tip and overhang where they do. What is left of the margin spares a contact of two boxes the search
+/// that sharp ones need, as long as they overlap by less.
+btScalar EdgeRadius(const btBoxShape& box);
 
 /// Bullet's axis that is the z axis of the set that a shape becomes: a round shape's own, else z.
 int UpAxis(const btConvexShape& shape);

@@ -81,25 +81,6 @@ TEST(TimeOfImpact, Boxes_EdgeOnEdge) {
   EXPECT_NEAR((result.normal - Point3::UnitZ()).norm(), 0, 1e-9);
 }
 
-// A box that slides over the seam of two others, a micrometre too low, is stopped by the second one's side, unless that
-// overlap is allowed; a step that is higher stops it in any case, and so does a fall.
-TEST(TimeOfImpact, AllowedOverlap_LetsPassWhatIsFlush) {
-  const RoundedSet tile{Box<double>({1, 1, 1})}, box{Box<double>({0.25, 0.25, 0.25})};
-  const auto sweep = [&](double height, const Point3& way, double allowed) {
-    SweepSettings<double> settings;
-    settings.allowed_overlap = allowed;
-    return Sweep(tile, Straight({2, 0, -1}, {0, 0, 0}), box, Straight({0.5, 0, 0.25 + height}, way), settings);
-  };
-  const Point3 along(1, 0, 0);
-  EXPECT_EQ(sweep(-1e-6, along, 0).status, Status::kTouching);
-  EXPECT_EQ(sweep(-1e-6, along, 1e-5).status, Status::kSeparated);
-  const auto step = sweep(-1e-3, along, 1e-5);
-  EXPECT_EQ(step.status, Status::kTouching);
-  EXPECT_NEAR(step.time, 0.25 + 1e-5, 1e-9);
-  EXPECT_NEAR(step.normal.dot(-Point3::UnitX()), 1, 1e-9);
-  EXPECT_EQ(sweep(1e-3, Point3(1, 0, -0.1), 1e-5).status, Status::kTouching);
-}
-
 TEST(TimeOfImpact, TurningRod_HitsABallAtItsAngle) {
   const RoundedSet rod{Segment<double>(1), 0.1};
   const auto ball = Sphere(0.2);

@@ -1,8 +1,32 @@
 #include "plugin/bullet_oracle.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "support/distance_bounds.h"
 
 namespace dgd_test {
+namespace {
+
+/// Boxes are as good as sharp: their edges' radius is this part of their least half extent, or their margin if that is
+/// less.
+constexpr double kEdgeRadius = 1.0 / 256;
+
+/// Null for all but boxes: not for a shape that is made of one.
+const btBoxShape* AsBox(const btConvexShape& shape) {
+  return shape.getShapeType() == BOX_SHAPE_PROXYTYPE ? static_cast<const btBoxShape*>(&shape) : nullptr;
+}
+
+Vector HalfExtents(const btBoxShape& box) { return ToEigen(box.getHalfExtentsWithMargin()); }
+
+/// Of what is within the edges' radius, the corner farthest along a direction of the box's frame.
+Vector CoreCorner(const btBoxShape& box, const Vector& direction) {
+  const Vector core = (HalfExtents(box).array() - EdgeRadius(box)).max(0.0);
+  return {std::copysign(core.x(), direction.x()), std::copysign(core.y(), direction.y()),
+          std::copysign(core.z(), direction.z())};
+}
+
+}  // namespace
 
 btTransform MakeTransform(const Eigen::Matrix3d& rotation, const Vector& translation) {
   btMatrix3x3 basis;
@@ -12,12 +36,23 @@ btTransform MakeTransform(const Eigen::Matrix3d& rotation, const Vector& transla
   return btTransform(basis, ToBullet(translation));
 }
 
+double EdgeRadius(const btBoxShape& box) {
+  return std::min(double(box.getMargin()), kEdgeRadius * HalfExtents(box).minCoeff());
+}
+
+double PosedConvex::Margin() const {
+  const btBoxShape* box = AsBox(shape);
+  return box != nullptr ? EdgeRadius(*box) : double(shape.getMarginNonVirtual());
+}
+
 Vector PosedConvex::CoreSupport(const Vector& direction) const {
   Eigen::Matrix3d rotation;
   for (int row = 0; row < 3; ++row) rotation.row(row) = ToEigen(pose.getBasis()[row]);
   const Vector local = rotation.transpose() * direction.normalized();
-  return rotation * ToEigen(shape.localGetSupportVertexWithoutMarginNonVirtual(ToBullet(local))) +
-         ToEigen(pose.getOrigin());
+  const btBoxShape* box = AsBox(shape);
+  const Vector support = box != nullptr ? CoreCorner(*box, local)
+                                        : ToEigen(shape.localGetSupportVertexWithoutMarginNonVirtual(ToBullet(local)));
+  return rotation * support + ToEigen(pose.getOrigin());
 }
 
 double PosedConvex::SupportValue(const Vector& direction) const {

@@ -1,7 +1,8 @@
 // What Bullet itself says of its shapes, in double: support values and exact distances from Bullet's own support
-// functions. Shares no code with the narrowphase under test.
+// functions; of boxes, what is documented (dgd_bullet::GeometryMode). Shares no code with the narrowphase under test.
 #pragma once
 
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btConvexShape.h>
 #include <LinearMath/btTransform.h>
 
@@ -17,14 +18,18 @@ btTransform MakeTransform(const Eigen::Matrix3d& rotation, const Vector& transla
 /// Not turned.
 inline btTransform At(double x, double y, double z) { return MakeTransform(Eigen::Matrix3d::Identity(), {x, y, z}); }
 
-/// A convex shape in a pose, as Bullet's GJK sees it: core plus margin. Refers to both.
+/// Radius of a box's edges, within its size; metres.
+double EdgeRadius(const btBoxShape& box);
+
+/// A convex shape in a pose, as Bullet's GJK sees it, core plus margin; a box of full size, its margin the radius of
+/// its edges. Refers to both.
 struct PosedConvex {
   const btConvexShape& shape;
   const btTransform& pose;
 
   /// Core point farthest along a world direction, world.
   Vector CoreSupport(const Vector& direction) const;
-  double Margin() const { return double(shape.getMarginNonVirtual()); }
+  double Margin() const;
   /// Largest <direction, x> over core plus margin; `direction` has unit length.
   double SupportValue(const Vector& direction) const;
 };

@@ -4,7 +4,8 @@
 //  * the depth is a signed distance, margins included: that of the deepest point is the distance of the two supporting
 //    planes along the normal, and no point claims more overlap;
 //  * its sign is that of the exact signed distance.
-// "Exact" is Bullet's own geometry, core plus margin, through Bullet's own support functions (bullet_oracle.h).
+// "Exact" is Bullet's own geometry, core plus margin, through Bullet's own support functions, and boxes as good as
+// sharp (bullet_oracle.h).
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -253,17 +254,17 @@ TEST_F(ClosedForm, SphereOnBoxFace) {
   }
 }
 
-// Bullet's box has rounded edges and corners where its partner is not a box.
+// A box's edges and corners are rounded a little.
 TEST_F(ClosedForm, SphereOnBoxEdgeAndCorner) {
-  const double margin = double(box_.getMargin());
-  const Vector core = Vector(0.5, 0.4, 0.3) - Vector::Constant(margin);
+  const double radius = EdgeRadius(box_);
+  const Vector core = Vector(0.5, 0.4, 0.3) - Vector::Constant(radius);
   const Vector edge_normal = Vector(1, 0, 1).normalized(), corner_normal = Vector(1, 2, 2).normalized();
   for (const double depth : {-0.002, 0.0, 0.004}) {
     const Vector edge(core.x(), 0.1, core.z());
-    ExpectContact(ball_, edge + (margin + 0.25 + depth) * edge_normal, box_, depth, edge_normal,
-                  edge + margin * edge_normal);
-    ExpectContact(ball_, core + (margin + 0.25 + depth) * corner_normal, box_, depth, corner_normal,
-                  core + margin * corner_normal);
+    ExpectContact(ball_, edge + (radius + 0.25 + depth) * edge_normal, box_, depth, edge_normal,
+                  edge + radius * edge_normal);
+    ExpectContact(ball_, core + (radius + 0.25 + depth) * corner_normal, box_, depth, corner_normal,
+                  core + radius * corner_normal);
   }
 }
 
@@ -283,15 +284,15 @@ TEST_F(ClosedForm, CapsulesCrossing) {
   }
 }
 
-// A corner pushed into a face: the core's corner is deepest, a margin outside it the surface.
+// A corner pushed into a face: the core's corner is deepest, and the surface is outside it by its edges' radius.
 TEST_F(ClosedForm, BoxCornerOnBoxFace) {
-  const double margin = double(box_.getMargin());
+  const double radius = EdgeRadius(box_);
   const Vector down = Vector(1, 2, 2) / 3;  // Of the tilted box, in its own frame, towards its corner (+, +, +).
   const Eigen::Matrix3d tilt =
       Eigen::AngleAxisd(std::acos(-down.z()), down.cross(-Vector::UnitZ()).normalized()).toRotationMatrix();
-  const Vector corner = Vector(0.5, 0.4, 0.3) - Vector::Constant(margin);
+  const Vector corner = Vector(0.5, 0.4, 0.3) - Vector::Constant(radius);
   for (const double depth : {-0.001, 0.0, 0.004}) {
-    const Vector corner_in_world(0.1, 0.05, 0.3 + margin + depth);
+    const Vector corner_in_world(0.1, 0.05, 0.3 + radius + depth);
     btBoxShape cube(Vec(0.5, 0.4, 0.3));
     ExpectContact(cube, corner_in_world - tilt * corner, box_, depth, Vector::UnitZ(), {0.1, 0.05, 0.3}, tilt);
   }

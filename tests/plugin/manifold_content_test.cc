@@ -52,9 +52,9 @@ class ManifoldContent : public testing::Test {
 TEST_F(ManifoldContent, BoxOnFloor_FourPointsSpanTheFaceWithoutItsRounding) {
   const std::vector<Contact> contacts = Lay(box_, At(0.3, 0.2, 0.199));
   EXPECT_EQ(contacts.size(), 4U);
-  const double margin = double(box_.getMargin());
-  EXPECT_NEAR(Span(contacts).x(), 1 - 2 * margin, kLength);
-  EXPECT_NEAR(Span(contacts).y(), 0.6 - 2 * margin, kLength);
+  const double radius = EdgeRadius(box_);
+  EXPECT_NEAR(Span(contacts).x(), 1 - 2 * radius, kLength);
+  EXPECT_NEAR(Span(contacts).y(), 0.6 - 2 * radius, kLength);
 }
 
 TEST_F(ManifoldContent, BoxOnBox_FourPointsSpanTheCommonPart) {
@@ -62,9 +62,36 @@ TEST_F(ManifoldContent, BoxOnBox_FourPointsSpanTheCommonPart) {
   pair.SetPoses(At(0.3, 0.1, 0.399), At(0, 0, 0));
   const std::vector<Contact> contacts = pair.Step();
   EXPECT_EQ(contacts.size(), 4U);
-  const double margin = double(box_.getMargin());
-  EXPECT_NEAR(Span(contacts).x(), 0.7 - 2 * margin, kLength);
-  EXPECT_NEAR(Span(contacts).y(), 0.5 - 2 * margin, kLength);
+  const double radius = EdgeRadius(box_);
+  EXPECT_NEAR(Span(contacts).x(), 0.7 - 2 * radius, kLength);
+  EXPECT_NEAR(Span(contacts).y(), 0.5 - 2 * radius, kLength);
+}
+
+/// Distance of a point to the nearest of a box's corners, which are sharp.
+double ToCorner(const btBoxShape& box, const btTransform& pose, const Vector& point) {
+  const Vector half = ToEigen(box.getHalfExtentsWithMargin()), local = ToEigen(pose.inverse() * ToBullet(point));
+  return (local.cwiseAbs() - half).norm();
+}
+
+// On their faces, edges and corners, on a box that is larger.
+TEST_F(ManifoldContent, BoxOnBox_PointsAreWithinAHundredthOfTheHalfExtentOfTheTrueCorners) {
+  const Vector axes[] = {Vector::UnitZ(), Vector::UnitX(), {1, -1, 0}, {1, 2, 0.5}};
+  for (const btVector3& half_extents : {Vec(0.5, 0.5, 0.5), Vec(0.5, 0.3, 0.2), Vec(0.03, 0.02, 0.02)}) {
+    btBoxShape box(half_extents);
+    const double half = ToEigen(half_extents).minCoeff();
+    for (const Vector& axis : axes) {
+      for (const double angle : {0.0, 1e-3, 0.1, 0.6, kPi / 4, 0.9553, 1.5, kPi / 2}) {
+        SCOPED_TRACE(std::to_string(half) + " m, " + std::to_string(angle) + " rad");
+        btTransform pose = Turned(axis, angle, {0.2, 0.1, 0});
+        pose.getOrigin().setZ(btScalar(PosedConvex{box, pose}.SupportValue(-Vector::UnitZ()) - 0.01 * half));
+        PairQuery pair(dispatching_.dispatcher(), box, floor_);
+        pair.SetPoses(pose, At(0, 0, -1));
+        const std::vector<Contact> contacts = pair.Step();
+        ASSERT_FALSE(contacts.empty());
+        for (const Contact& contact : contacts) EXPECT_LE(ToCorner(box, pose, contact.OnA()), 0.01 * half);
+      }
+    }
+  }
 }
 
 TEST_F(ManifoldContent, BoxCrossingBox_FourPointsSpanTheCrossing) {
@@ -73,7 +100,7 @@ TEST_F(ManifoldContent, BoxCrossingBox_FourPointsSpanTheCrossing) {
   pair.SetPoses(Turned(Vector::UnitZ(), kPi / 2, {0, 0, 0.199}), At(0, 0, 0));
   const std::vector<Contact> contacts = pair.Step();
   EXPECT_EQ(contacts.size(), 4U);
-  const double side = 0.4 - 2 * double(plank.getMargin());
+  const double side = 0.4 - 2 * EdgeRadius(plank);
   EXPECT_NEAR(Span(contacts).x(), side, kLength);
   EXPECT_NEAR(Span(contacts).y(), side, kLength);
 }
@@ -128,11 +155,11 @@ TEST_F(ManifoldContent, SphereOnFloor_OnePoint) {
 
 TEST_F(ManifoldContent, BoxOnItsEdge_TwoPointsAlongIt) {
   btBoxShape cube(Vec(0.5, 0.5, 0.5));
-  const double margin = double(cube.getMargin());
-  const double height = std::sqrt(2) * (0.5 - margin) + margin;
+  const double radius = EdgeRadius(cube);
+  const double height = std::sqrt(2) * (0.5 - radius) + radius;
   const std::vector<Contact> contacts = Lay(cube, Turned(Vector::UnitX(), kPi / 4, {0, 0, height - 0.001}));
   EXPECT_EQ(contacts.size(), 2U);
-  EXPECT_NEAR(Span(contacts).x(), 1 - 2 * margin, kLength);
+  EXPECT_NEAR(Span(contacts).x(), 1 - 2 * radius, kLength);
 }
 
 TEST_F(ManifoldContent, TriangleOnFloor_ThreePoints) {
@@ -227,8 +254,8 @@ TEST_F(ManifoldContent, StalePoints_AreDroppedAfterARotation) {
   EXPECT_EQ(pair.Step().size(), 4U);
   for (const double degrees : {1.0, 5.0, 20.0, 45.0, 70.0, 89.0, 90.0}) {
     SCOPED_TRACE(degrees);
-    const double angle = degrees * kPi / 180, margin = double(cube.getMargin());
-    const double height = (0.5 - margin) * (std::cos(angle) + std::sin(angle)) + margin;
+    const double angle = degrees * kPi / 180, radius = EdgeRadius(cube);
+    const double height = (0.5 - radius) * (std::cos(angle) + std::sin(angle)) + radius;
     pair.SetPoses(Turned(Vector::UnitX(), angle, {0, 0, height - 0.001}), At(0, 0, -1));
     const std::vector<Contact> contacts = pair.Step();
     ASSERT_FALSE(contacts.empty());

@@ -166,14 +166,16 @@ TEST_F(MeshPairs, EveryType_AnswersOfNewOnes) {
 // Both triangles of a square of Bullet's heightfield have one name.
 TEST_F(MeshPairs, Heightfield_AnswersOfNewOnes) {
   constexpr int kPoints = 31;
-  std::vector<float> heights(kPoints * kPoints);
+  // In either precision Bullet reads what it calls PHY_FLOAT as its own scalar.
+  std::vector<btScalar> heights(kPoints * kPoints);
   for (int j = 0; j < kPoints; ++j) {
     for (int i = 0; i < kPoints; ++i) {
       heights[std::size_t(j * kPoints + i)] =
-          float(Height(kPitch * (i - (kPoints - 1) / 2.0), kPitch * (j - (kPoints - 1) / 2.0)));
+          btScalar(Height(kPitch * (i - (kPoints - 1) / 2.0), kPitch * (j - (kPoints - 1) / 2.0)));
     }
   }
-  btHeightfieldTerrainShape terrain(kPoints, kPoints, heights.data(), 1, -1, 1, 2, PHY_FLOAT, false);
+  // Its other constructor takes PHY_FLOAT for the library's own precision.
+  btHeightfieldTerrainShape terrain(kPoints, kPoints, heights.data(), btScalar(-1), btScalar(1), 2, false);
   terrain.setLocalScaling(Vec(kPitch, kPitch, 1));
   mesh_.setCollisionShape(&terrain);
   btBoxShape box(Vec(0.4, 0.35, 0.45));

@@ -4,11 +4,13 @@
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btCylinderShape.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
+#include <BulletCollision/CollisionShapes/btUniformScalingShape.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "plugin/pair_query.h"
@@ -98,10 +100,10 @@ TEST(NormalMode, BodiesApart_LeastTranslationTellsTheirDistance) {
   btBoxShape box(Vec(0.5, 0.5, 0.5));
   btSphereShape sphere(btScalar(0.1));
   // Over a corner of the box's core, far off the line between the centres.
-  const double margin = double(box.getMargin());
-  const Vector corner = Vector::Constant(0.5 - margin);
+  const double radius = EdgeRadius(box);
+  const Vector corner = Vector::Constant(0.5 - radius);
   const Vector direction = Vector(1, 2, 5).normalized();
-  const Vector center = corner + (margin + 0.1 + 0.015) * direction;
+  const Vector center = corner + (radius + 0.1 + 0.015) * direction;
   dgd_bullet::Options options = With(dgd_bullet::NormalMode::kLeastTranslation);
   options.contact_distance = 0.1;
   const Contact contact =
@@ -163,15 +165,43 @@ TEST(AngularTolerance, TiltedBox_IsOnAnEdgeOnceItsFaceCountsAsOne) {
   EXPECT_LT(contacts_with(0.01), 4U);
 }
 
-TEST(GeometryMode, Bullets_BoxStandsOnAnEdgeThatIsRoundedByItsMargin) {
+TEST(GeometryMode, Bullets_BoxStandsOnAnEdgeThatIsAsGoodAsSharp) {
   btBoxShape box(Vec(0.5, 0.5, 0.5)), floor(Vec(5, 5, 1));
   const btTransform on_edge =
       MakeTransform(Eigen::AngleAxisd(kPi / 4, Vector::UnitX()).toRotationMatrix(), {0, 0, std::sqrt(2) * 0.5});
-  // The default, and what sharpens it.
-  for (const double margin : {0.04, 0.001}) {
+  // The default, what is less than a 256th of half the box's side, and none.
+  for (const auto& [margin, radius] : {std::pair{0.04, 0.5 / 256}, {0.001, 0.001}, {0.0, 0.0}}) {
     box.setMargin(btScalar(margin));
-    EXPECT_NEAR(DeepestOf({}, box, floor, on_edge, At(0, 0, -1)).depth, (std::sqrt(2) - 1) * margin, kLength);
+    EXPECT_NEAR(DeepestOf({}, box, floor, on_edge, At(0, 0, -1)).depth, (std::sqrt(2) - 1) * radius, kLength);
     EXPECT_NEAR(DeepestOf({}, box, floor, At(0, 0, 0.499), At(0, 0, -1)).depth, -0.001, kLength);
+  }
+}
+
+// A scaled box is read through Bullet's support functions, which round it by its margin.
+TEST(GeometryMode, Bullets_ScaledBoxKeepsItsMargin) {
+  btBoxShape box(Vec(0.25, 0.25, 0.25)), floor(Vec(5, 5, 1));
+  btUniformScalingShape scaled(&box, 2);
+  const double margin = double(scaled.getMargin());
+  ASSERT_NEAR(margin, 2 * 0.025, kLength);
+  const btTransform on_edge =
+      MakeTransform(Eigen::AngleAxisd(kPi / 4, Vector::UnitX()).toRotationMatrix(), {0, 0, std::sqrt(2) * 0.5 - 0.02});
+  EXPECT_NEAR(DeepestOf({}, scaled, floor, on_edge, At(0, 0, -1)).depth, (std::sqrt(2) - 1) * margin - 0.02,
+              kLength + kAsDeep);
+}
+
+TEST(GeometryMode, Bullets_BoxInACompoundIsAsGoodAsSharp) {
+  TestWorld world(Route::kConfiguration);
+  world.AddGround();
+  btBoxShape& box = world.Make<btBoxShape>(Vec(0.5, 0.5, 0.5));
+  btCompoundShape& compound = world.Make<btCompoundShape>();
+  compound.addChildShape(MakeTransform(Eigen::AngleAxisd(kPi / 4, Vector::UnitX()).toRotationMatrix(), {0, 0, 0}),
+                         &box);
+  world.Add(compound, 1, Vec(0, 0, std::sqrt(2) * 0.5 - 0.01));
+  world.Detect();
+  const std::vector<btManifoldPoint> points = world.Points();
+  EXPECT_EQ(points.size(), 2U);
+  for (const btManifoldPoint& point : points) {
+    EXPECT_NEAR(double(point.getDistance()), (std::sqrt(2) - 1) * EdgeRadius(box) - 0.01, kLength);
   }
 }
 
@@ -179,7 +209,7 @@ TEST(GeometryMode, Sharp_IsTheShapeWithoutItsRounding) {
   dgd_bullet::Options sharp;
   sharp.geometry_mode = dgd_bullet::GeometryMode::kSharp;
   btBoxShape box(Vec(0.5, 0.5, 0.5)), floor(Vec(5, 5, 1));
-  // On its edge, 1 mm deep: as Bullet sees it, rounded by 4 cm, it would be 1.6 cm above the floor.
+  // On its edge, 1 mm deep: rounded by 2 mm, it would be 0.8 mm less.
   const btTransform on_edge =
       MakeTransform(Eigen::AngleAxisd(kPi / 4, Vector::UnitX()).toRotationMatrix(), {0, 0, std::sqrt(2) * 0.5 - 0.001});
   EXPECT_NEAR(DeepestOf(sharp, box, floor, on_edge, At(0, 0, -1)).depth, -0.001, kLength);

@@ -112,16 +112,6 @@ TEST(Registration, Register_TakesEveryConvexPairMeshesAndPlanesAndNothingElse) {
   });
 }
 
-// Without warm starts, too: a triangle's algorithm then starts from nothing in each step.
-TEST(Registration, WithoutWarmStart_MeshesAreTakenAllTheSame) {
-  dgd_bullet::Options options;
-  options.warm_start = false;
-  dgd_bullet::CollisionConfiguration configuration(options);
-  const int box = BOX_SHAPE_PROXYTYPE, mesh = TRIANGLE_MESH_SHAPE_PROXYTYPE;
-  EXPECT_NE(configuration.getCollisionAlgorithmCreateFunc(box, mesh),
-            configuration.btDefaultCollisionConfiguration::getCollisionAlgorithmCreateFunc(box, mesh));
-}
-
 // GImpact has one create function for its whole row and column, and writes it into the contact table only.
 TEST(Registration, Register_KeepsGImpactsRowsWhicheverComesFirst) {
   btDefaultCollisionConfiguration configuration;

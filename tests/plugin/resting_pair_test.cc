@@ -257,7 +257,7 @@ TEST(RestingPairOption, EdgesThatAreCarriedAlong_AreFoundAnew) {
   const Eigen::Matrix3d on_edge_x = Eigen::AngleAxisd(0.25 * std::numbers::pi, Vector::UnitX()).toRotationMatrix(),
                         on_edge_y = Eigen::AngleAxisd(0.25 * std::numbers::pi, Vector::UnitY()).toRotationMatrix();
   btBoxShape& box = world.Make<btBoxShape>(Vec(0.5, 0.5, 0.5));
-  const double margin = double(box.getMargin()), to_edge = std::sqrt(2.0) * (0.5 - margin) + margin;
+  const double radius = EdgeRadius(box), to_edge = std::sqrt(2.0) * (0.5 - radius) + radius;
   btRigidBody& below = world.Add(box, 0, Vec(0, 0, 0));
   btRigidBody& above = world.Add(box, 1, Vec(0, 0, 0));
   for (int step = 0; step <= 10; ++step) {
@@ -277,9 +277,10 @@ TEST(RestingPairOption, OnOneContact_CornersAreKeptAndBallsFoundAnew) {
       Eigen::AngleAxisd(std::acos(1 / std::sqrt(3.0)), Vector(1, -1, 0).normalized()).toRotationMatrix();
   for (const bool is_ball : {false, true}) {
     TestWorld world(Route::kConfiguration, Counting());
-    btConvexShape* shape = &world.Make<btBoxShape>(Vec(0.5, 0.5, 0.5));
-    const double margin = double(shape->getMargin());
-    double reach = std::sqrt(3.0) * (0.5 - margin) + margin;
+    btBoxShape& box = world.Make<btBoxShape>(Vec(0.5, 0.5, 0.5));
+    const double radius = EdgeRadius(box);
+    btConvexShape* shape = &box;
+    double reach = std::sqrt(3.0) * (0.5 - radius) + radius;
     if (is_ball) {
       shape = &world.Make<btSphereShape>(btScalar(0.5));
       reach = 0.5;

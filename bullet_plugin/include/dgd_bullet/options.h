@@ -14,7 +14,8 @@ enum class NormalMode {
 
 /// What the bodies' surfaces are.
 enum class GeometryMode {
-  kBullet,  ///< What Bullet's GJK sees: each shape's core, rounded by its margin.
+  kBullet,  ///< What Bullet sees: each shape's core, rounded by its margin; boxes of full size with edges as good as
+            ///< sharp, rounded by a 256th of their least half extent or their margin, whichever is less.
   kSharp,   ///< No margins: boxes and cylinders of full size with sharp edges, hulls, cones and triangles as they are.
             ///< Spheres and capsules keep their radius.
 };
@@ -87,8 +88,7 @@ struct Options {
 
   /// Start each step's query of a pair from its last answer. Off: the answer depends on nothing but shapes, poses and
   /// the manifold, so that a world whose bodies and manifolds have been saved and restored goes on bit by bit as
-  /// before; pairs that stay near each other then cost about twice the time. Nothing is kept of a mesh's triangles
-  /// then.
+  /// before; pairs that stay near each other then cost about twice the time.
   bool warm_start = true;
 
   /// A pair whose bounding boxes overlap has a manifold from its first step to its last, with or without contacts, as

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "dgd/convex_set.h"
 #include "dgd/facing_faces.h"
@@ -236,7 +237,7 @@ class BoxPair {
   }
 
   /// Where the holder's face and the other box's overlap, seen along a normal: in coordinates along the face's sides,
-  /// and heights along the normal, which need not be across them.
+  /// and heights along the normal, which need not be across them. Of the faces, only the holder's is put down.
   /// @param outwards  The normal, from the holder to the other box.
   [[gnu::flatten, gnu::noinline]] void FindOverlap(const BoxFace& face, const Vector3<S>& outwards,
                                                    FacingFaces<S>& facing) const {
@@ -268,6 +269,12 @@ class BoxPair {
                               : Corner<S>{corner.x(), corner.y(), -height, 0});
     }
 
+    SupportingFace<S>& holders = is_1 ? facing.face_1 : facing.face_2;
+    holders.size = 0;
+    const S half_u = holder.half[Next(face.axis)], half_v = holder.half[Previous(face.axis)];
+    for (const auto& [u, v] : {std::pair{-half_u, -half_v}, {half_u, -half_v}, {half_u, half_v}, {-half_u, half_v}}) {
+      holders.Add({u, v, 0});
+    }
     facing.frame.axes.col(0) = side_u;
     facing.frame.axes.col(1) = side_v;
     facing.frame.axes.col(2) = is_1 ? outwards : Vector3<S>(-outwards);

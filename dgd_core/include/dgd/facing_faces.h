@@ -199,6 +199,7 @@ bool IsOver(const ProjectedFace<S>& polygon, S x, S y) {
 /// Whether a point seen along the normal is in a polygon, at least `inset` from each of its edges.
 template <class S>
 bool IsInsideBy(const SupportingFace<S>& face, S x, S y, S inset) {
+  if (face.size < 3) return false;
   const S orientation = face.Area().z() > 0 ? S(1) : S(-1);
   const auto size = static_cast<std::size_t>(face.size);
   for (std::size_t i = 0; i < size; ++i) {

@@ -19,9 +19,6 @@ struct SweepSettings {
   /// Sets nearer than this touch; metres, > 0. The default is some hundred times what rounding leaves of coordinates of
   /// a few metres; with larger ones, it must be raised.
   S tolerance = sizeof(S) == 8 ? S(1e-10) : S(1e-5);
-  /// Sets that overlap by no more than this do not touch: what passes flush over another is not stopped by roundoff.
-  /// Metres, >= 0. Then the planes must be those of least translation where sets overlap.
-  S allowed_overlap = 0;
   int max_planes = 100;  ///< Most planes to try; >= 1.
 };
 
@@ -59,15 +56,14 @@ bool IsUndecided(const Result<S>& growth) {
 
 /// The plane between two sets that the growth distance brings, as far as Result's status, normal, separation and
 /// witness points go; the signed distance's where that brings none.
-/// @param least_overlap  Whether it is to be that of least translation where the sets overlap.
 template <class Set1, class Set2>
 ResultOf<Set1> PlaneBetween(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
-                            const PoseOf<Set1>& pose_2, WarmStartOf<Set1>& warm_start, bool least_overlap = false) {
+                            const PoseOf<Set1>& pose_2, WarmStartOf<Set1>& warm_start) {
   using S = typename Set1::Scalar;
   Settings<S> settings;
   settings.relative_tolerance = kPlaneTolerance<S>;
   ResultOf<Set1> result = GrowthDistance(set_1, pose_1, set_2, pose_2, settings, &warm_start);
-  if (!IsUndecided(result) && !(least_overlap && result.separation <= 0)) return result;
+  if (!IsUndecided(result)) return result;
   const SignedDistanceResult<S> distance = SignedDistance(set_1, pose_1, set_2, pose_2, result, &warm_start, settings);
   result.status = distance.status;
   result.iterations += distance.iterations;
@@ -91,7 +87,7 @@ TimeOfImpactResult<typename Set1::Scalar> TimeOfImpact(const Set1& set_1, const 
   using S = typename Set1::Scalar;
   TimeOfImpactResult<S> result;
   if (!motion_1.IsFinite() || !motion_2.IsFinite()) return result;
-  PlaneSweep<Set1, Set2> sweep(set_1, motion_1, set_2, motion_2, settings.allowed_overlap);
+  PlaneSweep<Set1, Set2> sweep(set_1, motion_1, set_2, motion_2);
   result.status = Status::kIterationLimit;
   while (result.planes < settings.max_planes) {
     const ResultOf<Set1> plane = plane_between(motion_1.At(result.time), motion_2.At(result.time));
@@ -102,9 +98,8 @@ TimeOfImpactResult<typename Set1::Scalar> TimeOfImpact(const Set1& set_1, const 
     result.separation = plane.separation;
     result.witness_1 = plane.witness_1;
     result.witness_2 = plane.witness_2;
-    const S separation = plane.separation + settings.allowed_overlap;
-    if (!(separation > settings.tolerance)) {
-      const bool from_start = result.time == 0 && separation < -settings.tolerance;
+    if (!(plane.separation > settings.tolerance)) {
+      const bool from_start = result.time == 0 && plane.separation < -settings.tolerance;
       result.status = from_start ? Status::kColliding : Status::kTouching;
       break;
     }
@@ -133,8 +128,7 @@ TimeOfImpactResult<typename Set1::Scalar> TimeOfImpact(const Set1& set_1, const 
   WarmStartOf<Set1> warm_start;
   return TimeOfImpact(set_1, motion_1, set_2, motion_2, settings,
                       [&](const PoseOf<Set1>& pose_1, const PoseOf<Set1>& pose_2) {
-                        const bool least_overlap = settings.allowed_overlap > 0;
-                        return PlaneBetween(set_1, pose_1, set_2, pose_2, warm_start, least_overlap);
+                        return PlaneBetween(set_1, pose_1, set_2, pose_2, warm_start);
                       });
 }
 

@@ -1,5 +1,6 @@
 // Contract: Bullet's shape is the same set as CoreOf() + a ball of RoundingRadius(), the one that the oracle judges by
-// and the pictures show. Two convex sets are equal if their support functions are.
+// and the pictures show; a box has its full size, and edges of that radius. Two convex sets are equal if their support
+// functions are.
 #include "simulation/bullet_shape.h"
 
 #include <gtest/gtest.h>
@@ -22,8 +23,13 @@ double SupportOf(const Polyhedron& core, double radius, const Vector3d& unit) {
   return support + radius;
 }
 
-// What Bullet's GJK sees: the support point without the margin, and a ball of the margin.
-double SupportOf(const btConvexShape& shape, const Vector3d& unit) {
+// What Bullet's GJK sees: the support point without the margin, and a ball of the margin. Of boxes, the sharp corner,
+// drawn in to where the ball is that touches the three sides.
+double SupportOf(const btConvexShape& shape, double radius, const Vector3d& unit) {
+  if (shape.getShapeType() == BOX_SHAPE_PROXYTYPE) {
+    const Vector3d corner = FromBullet(shape.localGetSupportingVertex(ToBullet(unit)));
+    return unit.dot(corner) - radius * (unit.lpNorm<1>() - 1);
+  }
   const Vector3d point = FromBullet(shape.localGetSupportVertexWithoutMarginNonVirtual(ToBullet(unit)));
   return unit.dot(point) + shape.getMarginNonVirtual();
 }
@@ -46,13 +52,28 @@ TEST_P(BulletShapeTest, EveryShape_HasTheSupportOfItsDescription) {
   for (const auto& [shape, polygon_error] : cases) {
     const auto bullet = MakeBulletShape(shape, margin);
     const Polyhedron core = CoreOf(shape, margin);
+    const double radius = RoundingRadius(shape, margin);
     for (int i = 0; i < 500; ++i) {
       const Vector3d unit = random.UnitVector();
-      const double expected = SupportOf(core, RoundingRadius(shape, margin), unit);
-      EXPECT_GE(SupportOf(*bullet, unit), expected - kRounding) << bullet->getName();
-      EXPECT_LE(SupportOf(*bullet, unit), expected + polygon_error + kRounding) << bullet->getName();
+      const double expected = SupportOf(core, radius, unit);
+      EXPECT_GE(SupportOf(*bullet, radius, unit), expected - kRounding) << bullet->getName();
+      EXPECT_LE(SupportOf(*bullet, radius, unit), expected + polygon_error + kRounding) << bullet->getName();
     }
   }
+}
+
+// Against Bullet's own narrowphase, which rounds a box's edges by its margin but where its partner is a box.
+TEST_P(BulletShapeTest, Box_HasTheMarginThatBulletGivesIt) {
+  const auto box = MakeBulletShape(Box{Vector3d(0.5, 0.8, 0.2)}, GetParam());
+  EXPECT_NEAR(double(box->getMarginNonVirtual()), std::min(GetParam(), 0.02), 1e-8);
+}
+
+// The radius is documented: a 256th of the least half extent, or the margin if that is less.
+TEST(RoundingRadiusTest, Boxes_AreAsGoodAsSharp) {
+  const Box box{Vector3d(0.5, 0.8, 0.2)};
+  EXPECT_EQ(RoundingRadius(box, 0.04), 0.2 / 256);
+  EXPECT_EQ(RoundingRadius(box, 1e-4), 1e-4);
+  EXPECT_EQ(RoundingRadius(box, 0), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Margins, BulletShapeTest, testing::Values(0.0, 0.01, 0.04, 0.3));

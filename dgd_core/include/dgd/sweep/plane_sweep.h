@@ -84,12 +84,10 @@ class PlaneSweep {
   using S = typename Set1::Scalar;
   using Point = Vector3<S>;
 
-  /// @param allowed_overlap  Added to each separation; metres.
-  PlaneSweep(const Set1& set_1, const Motion<S>& motion_1, const Set2& set_2, const Motion<S>& motion_2,
-             S allowed_overlap = 0)
+  PlaneSweep(const Set1& set_1, const Motion<S>& motion_1, const Set2& set_2, const Motion<S>& motion_2)
       : set_1_(set_1, motion_1),
         set_2_(set_2, motion_2),
-        radius_(set_1.radius + set_2.radius - allowed_overlap),
+        radius_(set_1.radius + set_2.radius),
         start_(motion_2.CenterAt(0) - motion_1.CenterAt(0)),
         translation_(motion_2.translation - motion_1.translation) {}
 
