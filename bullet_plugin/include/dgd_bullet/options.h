@@ -74,9 +74,11 @@ struct Options {
 
   /// Contacts of faces that stick are held where they stuck: Bullet's solver takes back what they have slipped by
   /// since, within the friction cone, and piles do not creep: the blocks of scenes/pyramid_28.json move by 37 mm in a
-  /// minute without, 1.3 mm with it (float, without keep_resting_contacts). Rolling bodies, sliding ones and moving
-  /// surfaces are not held. Off: friction opposes speed only, as with Bullet. In manifolds of the pair's own only.
-  /// Needs contact_patch.
+  /// minute without, 1.3 mm with it (float, without keep_resting_contacts). Off: friction opposes speed only, as with
+  /// Bullet. Needs contact_patch.
+  /// Physics: held is only the slip that the solver left of contacts that have stuck for two steps, up to a hundredth
+  /// of the breaking threshold; not what rolls or slides, nor what a surface's own velocity, a callback or an app moves
+  /// (tests/physics: slide, swing_force, taps, belt, platform, feeder, teleport).
   bool friction_anchors = true;
 
   /// Bodies that have not moved by more than a thousandth of the breaking threshold (20 micrometres for large ones)
@@ -84,6 +86,8 @@ struct Options {
   /// on each other's faces that have moved together: by no more than a twelfth of the threshold against each other, nor
   /// by more than leaves each distance within a two-thousandth of it. Their normal turns with the face. In manifolds of
   /// the pair's own only, and needs contact_patch and warm_start.
+  /// Physics: no distance is off by more than 10 micrometres for large bodies, no place by more than 1.6 mm, along the
+  /// face.
   bool keep_resting_contacts = true;
 
   /// Start each step's query of a pair from its last answer. Off: the answer depends on nothing but shapes, poses and
