@@ -317,27 +317,35 @@ void ConvexConvexAlgorithm::FindFaceContacts(const btCollisionObjectWrapper& con
   result.normal = normal;
   result.separation = normal.dot(SupportPoint(face, -normal) - deepest);
   const double approach = motion.Approach(deepest, normal);
+  const bool is_ahead = result.separation > std::max(triangle_query.range.touching, 0.0);
+  if (is_ahead && (result.separation > triangle_query.range.limit || !(approach >= result.separation))) return;
+  Vector3 across;
+  for (int axis = 0; axis < 3; ++axis) across[axis] = motion.Approach(deepest, Vector3::Unit(axis));
+  across -= across.dot(normal) * normal;
+  // Where the body is when what is over the triangle comes to the triangle's plane: by then, another part of it may be.
+  constexpr int kMostParts = 4;
+  const double tolerance = FlushOverlap(manifold_.BreakingThreshold());
+  const Vector3 start = shape.pose.translation;
   Vector3 shift = Vector3::Zero();
-  if (result.separation > std::max(triangle_query.range.touching, 0.0)) {
-    // Where the body is when it comes to the triangle's plane.
-    if (result.separation > triangle_query.range.limit || !(approach >= result.separation)) return;
-    const double part = result.separation / approach;
-    for (int axis = 0; axis < 3; ++axis) shift[axis] = part * motion.Approach(deepest, Vector3::Unit(axis));
-    shift -= shift.dot(normal) * normal;
-    shape.pose.translation += shift;
-  }
-  result.witness_1 = deepest + shift;
-  result.witness_2 = result.witness_1 + result.separation * normal;
   dgd::FacingFaces<double> facing;
-  FindFacingFaces(shape, face, result, options.angular_tolerance, facing);
-  if (facing.face_1.size == 0) {
-    // Nothing is known of its faces.
-    facing.face_1.Add(facing.frame.FromWorld(result.witness_1));
-    facing.FindOverlap(options.angular_tolerance);
+  for (int parts = 1;; ++parts) {
+    if (is_ahead) shift = result.separation / approach * across;
+    shape.pose.translation = start + shift;
+    result.witness_1 = deepest + shift;
+    result.witness_2 = result.witness_1 + result.separation * normal;
+    FindFacingFaces(shape, face, result, options.angular_tolerance, facing);
+    if (facing.face_1.size == 0) {
+      // Nothing is known of its faces.
+      facing.face_1.Add(facing.frame.FromWorld(result.witness_1));
+      facing.FindOverlap(options.angular_tolerance);
+    }
+    const dgd::Corner<double>* nearest = facing.Nearest();
+    if (nearest == nullptr) return;
+    const bool is_found = !is_ahead || nearest->Separation() <= result.separation + tolerance;
+    result.separation = nearest->Separation();
+    if (is_found) break;
+    if (parts == kMostParts || !(approach >= result.separation)) return;
   }
-  const dgd::Corner<double>* nearest = facing.Nearest();
-  if (nearest == nullptr) return;
-  result.separation = nearest->Separation();
   contacts.patch = FindPatch(result, facing, triangle_query.patch_settings, motion);
   for (int i = 0; i < contacts.patch.size; ++i) {
     dgd::ContactPoint<double>& point = contacts.patch.points[static_cast<std::size_t>(i)];
