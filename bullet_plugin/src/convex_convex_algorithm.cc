@@ -303,57 +303,15 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindTriangleContacts(const btColl
   return failure;
 }
 
-void ConvexConvexAlgorithm::FindFaceContacts(const btCollisionObjectWrapper& convex,
-                                             const btCollisionObjectWrapper& triangle, const Vector3& normal,
-                                             const TriangleQuery& triangle_query, PairContacts& contacts) try {
-  const Options& options = narrowphase_.options();
-  contacts.patch.size = 0;
+dgd::ContactPatch<double> ConvexConvexAlgorithm::FindTriangleFaceContacts(const btCollisionObjectWrapper& convex,
+                                                                          const btCollisionObjectWrapper& triangle,
+                                                                          const Vector3& normal,
+                                                                          const TriangleQuery& query) try {
   std::shared_ptr<const CachedHull> no_hull;
-  PosedShape shape = Query::Adapt(narrowphase_, convex, was_swapped_ ? hull_1_ : hull_0_);
-  const PosedShape face = Query::Adapt(narrowphase_, triangle, no_hull);
-  const PairMotion& motion = triangle_query.motion;
-  const Vector3 deepest = SupportPoint(shape, normal);
-  dgd::Result<double>& result = contacts.result;
-  result.normal = normal;
-  result.separation = normal.dot(SupportPoint(face, -normal) - deepest);
-  const double approach = motion.Approach(deepest, normal);
-  const bool is_ahead = result.separation > std::max(triangle_query.range.touching, 0.0);
-  if (is_ahead && (result.separation > triangle_query.range.limit || !(approach >= result.separation))) return;
-  Vector3 across;
-  for (int axis = 0; axis < 3; ++axis) across[axis] = motion.Approach(deepest, Vector3::Unit(axis));
-  across -= across.dot(normal) * normal;
-  // Where the body is when what is over the triangle comes to the triangle's plane: by then, another part of it may be.
-  constexpr int kMostParts = 4;
-  const double tolerance = FlushOverlap(manifold_.BreakingThreshold());
-  const Vector3 start = shape.pose.translation;
-  Vector3 shift = Vector3::Zero();
-  dgd::FacingFaces<double> facing;
-  for (int parts = 1;; ++parts) {
-    if (is_ahead) shift = result.separation / approach * across;
-    shape.pose.translation = start + shift;
-    result.witness_1 = deepest + shift;
-    result.witness_2 = result.witness_1 + result.separation * normal;
-    FindFacingFaces(shape, face, result, options.angular_tolerance, facing);
-    if (facing.face_1.size == 0) {
-      // Nothing is known of its faces.
-      facing.face_1.Add(facing.frame.FromWorld(result.witness_1));
-      facing.FindOverlap(options.angular_tolerance);
-    }
-    const dgd::Corner<double>* nearest = facing.Nearest();
-    if (nearest == nullptr) return;
-    const bool is_found = !is_ahead || nearest->Separation() <= result.separation + tolerance;
-    result.separation = nearest->Separation();
-    if (is_found) break;
-    if (parts == kMostParts || !(approach >= result.separation)) return;
-  }
-  contacts.patch = FindPatch(result, facing, triangle_query.patch_settings, motion);
-  for (int i = 0; i < contacts.patch.size; ++i) {
-    dgd::ContactPoint<double>& point = contacts.patch.points[static_cast<std::size_t>(i)];
-    point.on_1 -= shift;
-    point.on_2 -= shift;
-  }
+  const PosedShape shape = Query::Adapt(narrowphase_, convex, was_swapped_ ? hull_1_ : hull_0_);
+  return FindFaceContacts(shape, Query::Adapt(narrowphase_, triangle, no_hull), normal, query);
 } catch (const std::exception&) {
-  contacts.patch.size = 0;  // FindTriangleContacts() has said why.
+  return {};  // FindTriangleContacts() has counted it.
 }
 
 Footing ConvexConvexAlgorithm::FootingOfContacts(const btCollisionObjectWrapper& body_a,
@@ -389,11 +347,12 @@ void ConvexConvexAlgorithm::FindNormal(Query& query) {
 dgd::ContactPatch<double> ConvexConvexAlgorithm::FindContactPatch(Query& query) {
   dgd::Result<double>& result = query.result;
   if (result.status == dgd::Status::kSeparated) return {};
-  const Ahead ahead = result.separation > std::min(query.range.touching, 0.0) ? MeetAhead(query) : Ahead::kPatch;
-  if (ahead == Ahead::kNone) return {};
-  if (ahead == Ahead::kPatch) TurnNormal(query);
+  const bool is_apart = result.separation > std::min(query.range.touching, 0.0);
+  const ContactKind kind = is_apart ? ClassifySpeculative(query) : ContactKind::kPatch;
+  if (kind == ContactKind::kNone) return {};
+  if (kind == ContactKind::kPatch) TurnNormal(query);
   const Options& options = narrowphase_.options();
-  if (ahead == Ahead::kPoint || !options.contact_patch) return WitnessOnly(result);
+  if (kind == ContactKind::kPoint || !options.contact_patch) return WitnessOnly(result);
   FindFacing(query);
   dgd::ContactPatch<double> patch = FindPatch(result, query.facing, query.patch_settings, query.motion);
   if (options.rim_damping) {
@@ -414,41 +373,42 @@ void ConvexConvexAlgorithm::FindFacing(Query& query) {
   if (query.wants_least && may_be_apart_) face_holder_ = HolderOf(query.facing);
 }
 
-ConvexConvexAlgorithm::Ahead ConvexConvexAlgorithm::MeetAhead(Query& query) {
+ConvexConvexAlgorithm::ContactKind ConvexConvexAlgorithm::ClassifySpeculative(Query& query) {
   dgd::Result<double>& result = query.result;
   const PairMotion& motion = query.motion;
   const bool is_touching = result.separation <= query.range.touching;
-  if (!motion.MayApproachBy(result.separation, result.normal)) return is_touching ? Ahead::kPatch : Ahead::kNone;
-  if (!is_touching && result.separation > query.range.limit) return Ahead::kNone;
+  if (!motion.MayApproachBy(result.separation, result.normal))
+    return is_touching ? ContactKind::kPatch : ContactKind::kNone;
+  if (!is_touching && result.separation > query.range.limit) return ContactKind::kNone;
   const double flush = FlushOverlap(manifold_.BreakingThreshold());
   TurnNormal(query);
   FindFacing(query);
   const Vector3 middle = (result.witness_1 + result.witness_2) / 2;
-  if (query.facing.IsInset(flush + motion.Passing(middle, result.normal))) return Ahead::kPatch;
-  // Whether they meet beside what supports them, their weight does not say.
+  if (query.facing.IsInset(flush + motion.Passing(middle, result.normal))) return ContactKind::kPatch;
+  // Weight is left out: what supports the bodies takes it up, and would seem to let them sink into each other.
   MovingPair pair(query.shape_a, query.shape_b, motion.WithoutForces());
   pair.MoveTo(1);
   const double at_end = pair.SeparationAlong(result.normal);
-  if (at_end > -flush) return is_touching ? Ahead::kPatch : Ahead::kNone;
+  if (at_end > -flush) return is_touching ? ContactKind::kPatch : ContactKind::kNone;
   const PredictedEncounter predicted =
       PredictEncounter(pair, query.settings, warm_start_, may_be_apart_, result, at_end, flush);
-  if (predicted.encounter == Encounter::kMeet) return Ahead::kPatch;
+  if (predicted.encounter == Encounter::kMeet) return ContactKind::kPatch;
   const double separation = predicted.contact.separation;
   if (predicted.encounter == Encounter::kPass) {
-    // Other bodies' impacts may change that: the plane that they pass along keeps them apart then, and is of no effect
-    // otherwise. Not where a rebound would act on it, nor of a mesh, where the next triangle is what they pass to.
+    // Impacts of other bodies may change that. The plane that they pass along keeps them apart then, and has no effect
+    // otherwise; but a rebound would act on it, and in a mesh the next triangle is what they pass to.
     const bool is_plane_between = separation > -flush && separation <= query.range.touching;
-    if (!is_touching || query.is_of_mesh || query.range.is_rebound || !is_plane_between) return Ahead::kNone;
+    if (!is_touching || query.is_of_mesh || query.range.is_rebound || !is_plane_between) return ContactKind::kNone;
   }
   result = predicted.contact;
   if (predicted.encounter == Encounter::kPass) result.separation = std::max(separation, 0.0);
   face_holder_ = dgd::FaceHolder::kNone;
-  return Ahead::kPoint;
+  return ContactKind::kPoint;
 }
 
 bool ConvexConvexAlgorithm::StaysAtRest(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
                                         const btDispatcherInfo& info, btManifoldResult& output) {
-  // An app that asks wants to see each contact anew, as a debug drawer does.
+  // For an app's own query each contact is found again, and for a debug drawer.
   if (!is_resting_ || WantsContacts(info.m_debugDraw) || IsAskedByApp(output)) return false;
   const btCollisionObjectWrapper &body_a = was_swapped_ ? body_1 : body_0, &body_b = was_swapped_ ? body_0 : body_1;
   const double anchor_time_step = narrowphase_.options().friction_anchors ? double(info.m_timeStep) : 0;

@@ -2,8 +2,8 @@
 //
 // The contract (read from Bullet 3.24, btConvexConvexAlgorithm and btManifoldResult): a manifold is taken from the
 // construction info if there is one and not owned then, else made at first need, also without contact, and released
-// with the pair; points leave through addContactPoint(), and those that go on in the pair's own manifold are left as
-// that would leave them (manifold_writer.h); the normal points from B to A, A and B in the order of the call; the depth
+// with the pair; points leave through addContactPoint(), and those of the pair's own manifold are written as that would
+// leave them (manifold_writer.h); the normal points from B to A, A and B in the order of the call; the depth
 // is the signed distance after margins.
 #pragma once
 
@@ -15,6 +15,7 @@
 #include "dgd/contact_patch.h"
 #include "dgd/growth_distance.h"
 #include "dgd/held_face.h"
+#include "face_contacts.h"
 #include "hull_cache.h"
 #include "narrowphase.h"
 #include "pair_contacts.h"
@@ -35,15 +36,6 @@ struct PairContacts {
   PairMotion motion;           ///< That the patch was found with, in the order that the shapes are solved in.
 };
 
-/// What a mesh asks of each of its triangles.
-struct TriangleQuery {
-  const PairMotion &motion, &reverse_motion;  ///< Of the convex body and the mesh, and of the mesh and the body.
-  ContactRange range;
-  dgd::PatchSettings<double> patch_settings;
-  bool is_asked;  ///< By an app, for the contacts themselves.
-  bool is_drawn;  ///< By a debug drawer, which wants to see contacts found anew.
-};
-
 class ConvexConvexAlgorithm : public btCollisionAlgorithm {
  public:
   /// @param is_for_step  Whether its contacts are a step's, and may be ahead of the bodies' motion in it.
@@ -57,22 +49,21 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
 
   /// The contacts with a triangle of a mesh, in the place of processCollision(): the mesh chooses among all triangles',
   /// and writes them.
-  /// @return why there is no answer, which has been counted.
+  /// @return why the pair is not solved, if it is not; that has been counted.
   std::optional<Fallback> FindTriangleContacts(const btCollisionObjectWrapper& convex,
                                                const btCollisionObjectWrapper& triangle, const TriangleQuery& query,
                                                PairContacts& contacts);
 
-  /// Bullet's own answer in the place of one that there is none of, into the result.
+  /// Solves a pair that FindTriangleContacts() has not with Bullet's own algorithm, into the result.
   void FallBack(const btCollisionObjectWrapper& convex, const btCollisionObjectWrapper& triangle,
                 const btDispatcherInfo& info, btManifoldResult& output) {
     narrowphase_.FallBack(*m_dispatcher, &convex, &triangle, info, output);
   }
 
-  /// Those along the triangle's own normal, where the convex body is over the triangle now, or when its motion brings
-  /// it to the triangle's plane. After FindTriangleContacts() in the same step.
-  /// @param normal  Of the triangle, away from the side that the convex body counts as on; unit, world.
-  void FindFaceContacts(const btCollisionObjectWrapper& convex, const btCollisionObjectWrapper& triangle,
-                        const Vector3& normal, const TriangleQuery& query, PairContacts& contacts);
+  /// FindFaceContacts() of the two. After FindTriangleContacts() in the same step; does not throw.
+  dgd::ContactPatch<double> FindTriangleFaceContacts(const btCollisionObjectWrapper& convex,
+                                                     const btCollisionObjectWrapper& triangle, const Vector3& normal,
+                                                     const TriangleQuery& query);
 
   /// The part of the bodies' way from their transforms to their interpolation transforms that they go before they
   /// touch, or 1: by a sweep of the shapes themselves, never late. Only an app that dispatches continuously asks. As in
@@ -127,10 +118,10 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   /// What the shapes show each other along the normal.
   void FindFacing(Query& query);
 
-  /// Whether bodies that are apart, or as good as that, have contacts all the same; if the motion makes them meet
-  /// elsewhere than along the normal, that is turned, and there is but one contact.
-  enum class Ahead { kNone, kPatch, kPoint };
-  Ahead MeetAhead(Query& query);
+  /// Which contacts bodies have that are apart, or overlap by less than counts: none, those of their faces, or one at
+  /// the points that will meet, to whose normal the result is turned then.
+  enum class ContactKind { kNone, kPatch, kPoint };
+  ContactKind ClassifySpeculative(Query& query);
 
   /// If neither body has moved since the contacts were found, and nothing else that they come from has changed: brings
   /// them up to date, and true.

@@ -178,9 +178,8 @@ class TriangleVisit final : public btTriangleCallback {
     const Vector3 normal = step_.contacts.NormalTowards(index, middle_);
     if (algorithm == nullptr || normal.isZero(0)) return;
     const TriangleBody triangle(step_.contacts.triangle(index), mesh_);
-    PairContacts& found = step_.found;
-    algorithm->FindFaceContacts(convex_, triangle.wrapper(), -normal, query_, found);
-    step_.contacts.Add(index, found.patch, -normal);
+    step_.contacts.Add(index, algorithm->FindTriangleFaceContacts(convex_, triangle.wrapper(), -normal, query_),
+                       -normal);
   }
 
   /// Whether the convex body is on one side of the triangle's plane and does not come near it in the step.
@@ -267,6 +266,8 @@ bool ConvexMeshAlgorithm::FindContacts(const btCollisionObjectWrapper& convex, c
                             .reverse_motion = reverse,
                             .range = range,
                             .patch_settings = PatchSettingsOf(options, shared, range, is_asked),
+                            .angular_tolerance = options.angular_tolerance,
+                            .flush = FlushOverlap(shared.BreakingThreshold()),
                             .is_asked = is_asked,
                             .is_drawn = WantsContacts(info.m_debugDraw)};
   TriangleVisit visit(convex, mesh, info, query, *m_dispatcher, *step_, output);
@@ -291,7 +292,7 @@ void ConvexMeshAlgorithm::Write(const TriangleQuery& query, bool has_foreign, co
     if (query.is_drawn) Draw(contact, *info.m_debugDraw);
   }
   const Options& options = narrowphase_.options();
-  // What is in the manifold of others' is not told apart.
+  // Points of an app's own algorithm cannot be known from ours: none are dropped then.
   UpdateManifold({chosen.data(), static_cast<std::size_t>(reduced.size)}, query.motion,
                  {.drop_stale = options.contact_patch && !has_foreign, .hold_stuck = options.friction_anchors}, output);
 }

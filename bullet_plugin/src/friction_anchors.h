@@ -27,7 +27,7 @@ inline bool Sticks(const btManifoldPoint& point) {
   return lateral_1 * lateral_1 + lateral_2 * lateral_2 < cone * cone;
 }
 
-/// Neither anchored by Bullet itself, nor on a surface that a callback moves.
+/// Whether no callback moves the surface at a point, as of belts.
 inline bool CanBeAnchored(const btManifoldPoint& point) {
   return (point.m_contactPointFlags & BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED) == 0;
 }
@@ -37,7 +37,7 @@ inline bool CanBeAnchored(const btManifoldPoint& point) {
 class FrictionAnchors {
  public:
   /// @param manifold   The pair's own, of bodies that Bullet itself anchors nothing on.
-  /// @param time_step  Seconds.
+  /// @param time_step  Seconds; 0 to hold nothing.
   FrictionAnchors(const btPersistentManifold& manifold, btScalar time_step)
       : a_(*manifold.getBody0()), b_(*manifold.getBody1()), time_step_(time_step) {
     max_slip_ = kMaxSlip * manifold.getContactBreakingThreshold();
@@ -103,7 +103,7 @@ class FrictionAnchors {
 
     const btTransform& pose;
     btVector3 linear, angular;  // Velocity of the origin, metres and radians per second.
-    bool is_moved_by_app;       // By a velocity of its own, whatever the solver does.
+    bool is_moved_by_app;       // A static or kinematic body with a velocity: the solver does not change it.
   };
 
   btVector3 SlipOf(const btManifoldPoint& point, const btVector3& place_a, const btVector3& place_b) const {

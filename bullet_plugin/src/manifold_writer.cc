@@ -169,7 +169,7 @@ class PointWriter {
       if (is_seen_by_app_) Call(WrapperA(), WrapperB(), point);
       return;
     }
-    // A mesh is the second body whatever the order of the call.
+    // A mesh is the second body in either order of the call.
     point.m_partId1 = contact.triangle->part;
     point.m_index1 = contact.triangle->index;
     if (!is_seen_by_app_) return;

@@ -10,10 +10,10 @@ namespace dgd_bullet {
 namespace {
 
 /// Sine of the angle within which directions count as one: above the rounding of normals and of flat meshes, far below
-/// what a ball is off its lowest point by when a corner beside it counts for it.
+/// how far a ball is off its lowest point where a corner next to that stands for it.
 constexpr double kMaxSine = 1e-4;
 
-/// Least cosine to its triangle's normal of a ghost that is told of the triangle's face: about 11 degrees. Of faces
+/// Least cosine to its triangle's normal of a ghost that is turned to the triangle's face: about 11 degrees. Of faces
 /// that are tilted more, no more than a strip of two decimetres is within the contact distance, beside an edge that
 /// has contacts of its own.
 constexpr double kFromAbove = 0.996;

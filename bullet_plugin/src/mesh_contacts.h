@@ -8,7 +8,7 @@
 // faces' own counts, at a ridge those between the two faces', at the mesh's border all. It holds on either side of the
 // surface.
 //
-// A ghost tells of a body that is near the triangle all the same, and may be over its face: one that comes from above
+// A ghost still means that the body is near the triangle, and may be over its face: a ghost that comes from above
 // is to be met along the triangle's normal in any case (ToTurn()), as the far side of a box that is tilted a little.
 // One from aside, of a body so deep that a triangle's own way out is sideways, is only if nothing covers it: it is
 // covered if the triangle that rises above it has a contact that counts, or a ghost that is covered.

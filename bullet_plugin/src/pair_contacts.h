@@ -35,7 +35,7 @@ PairMotion MotionOfStep(const PairManifold& manifold, const BodyReach& body_a, c
 ContactRange RangeOfContacts(const Options& options, const PairManifold& manifold, const PairMotion& motion,
                              const btManifoldResult& output);
 
-/// Separation of a pair of which nothing needs to be known but that it is apart; metres.
+/// Bodies that are farther apart have no contacts in this step, so that no query needs to go on; metres.
 inline double SeparationLimit(const ContactRange& range, const PairMotion& motion) {
   return std::max(range.touching, std::min(motion.MaxApproach(), range.limit));
 }

@@ -12,8 +12,8 @@ namespace {
 /// After so many, bodies count as meeting: two are usual.
 constexpr int kMaxPlanes = 8;
 
-/// How deep a plane is entered before it is asked whether the shapes overlap, in units of what does not count: deep
-/// enough that those that meet do, so that most encounters take one plane.
+/// How deep the shapes are moved beyond a plane before their distance is computed, in units of the flush overlap:
+/// shapes that meet overlap there, so that one distance is enough for most (with 1 in its place, six were needed).
 constexpr double kProbe = 32;
 
 /// Least cosine between the contact's normal now and when the bodies meet: about 18 degrees.

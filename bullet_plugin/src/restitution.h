@@ -15,11 +15,12 @@
 // For e = 1, u' = u: energy is kept exactly.
 #pragma once
 
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "bullet_conversions.h"
 #include "pair_motion.h"
 
@@ -50,7 +51,7 @@ inline void PrepareRebound(btManifoldPoint& point, const PairMotion& motion) {
   if (!(restitution > 0) || !motion.IsKnown()) return;
   // Bullet's solver takes back overlap by speed that bodies keep, up to a depth (btContactSolverInfo's own defaults).
   constexpr double kErrorReduction = 0.2, kDeepestPushed = 0.04;
-  // Apps tell by the sign whether bodies have touched.
+  // Metres. Apps look at the sign for whether bodies touch; what the solver makes of this overlap is below roundoff.
   constexpr btScalar kJustTouching = btScalar(-1e-9);
   const Vector3 normal = -FromBullet(point.m_normalWorldOnB), place = FromBullet(point.m_positionWorldOnB);
   const double approach = motion.ApproachSpeed(place, normal), gain = motion.ApproachSpeedGain(place, normal);

@@ -14,8 +14,8 @@
 namespace dgd_bullet {
 namespace {
 
-/// Of a box's least half extent: tests/physics (tip) shows the first tenths of a percent of it, and bodies at rest
-/// overlap by a tenth of it.
+/// Share of a box's least half extent: boxes tip early by as much (tests/physics, tip), and boxes at rest overlap by
+/// less than a tenth of it.
 constexpr btScalar kEdgeRadius = btScalar(1) / 256;
 
 Vector3 CoreOf(const btBoxShape& box, btScalar edge_radius) {

@@ -17,9 +17,9 @@ namespace dgd_bullet {
 /// zero. NaN stays NaN, and is refused by the set.
 inline btScalar Extent(btScalar half_extent) { return half_extent < 0 ? btScalar(0) : half_extent; }
 
-/// Radius of a box's edges, within its size; metres. Boxes are sharp to who looks at them, and to Bullet's own test of
-/// two boxes: they tip and overhang where they do. What is left of the margin spares a contact of two boxes the search
-/// that sharp ones need, as long as they overlap by less.
+/// Radius of a box's edges, which are within its size; metres. Users see sharp boxes, and so does Bullet's own test of
+/// two boxes: with edges rounded by the whole margin they tip and fall off ledges early. The small radius keeps the
+/// cores of touching boxes apart, so that their distance is that of the cores, without a penetration search.
 btScalar EdgeRadius(const btBoxShape& box);
 
 /// Bullet's axis that is the z axis of the set that a shape becomes: a round shape's own, else z.

@@ -182,5 +182,22 @@ TEST(FacingFaces, CornerAt_IsOverTheOtherFaceOrNowhere) {
   EXPECT_FALSE(corner_at({0.2, 0, 0.5}, true).has_value());
 }
 
+// Of boxes on each other the middle of the common part counts, and how far it is from the nearer border of either face.
+TEST(FacingFaces, IsInset_ByTheMiddleOfTheOverlap) {
+  const dgd::RoundedSet box{dgd::Box<double>({1, 1, 0.5})};
+  const auto facing_at = [&](double offset) {
+    const dgd::Pose<double> above = At({offset, 0, 1});
+    dgd::Result<double> upright = dgd::GrowthDistance(box, At({0, 0, 0}), box, above);
+    upright.normal = Vector3d::UnitZ();
+    return dgd::FindFacingFaces(box, At({0, 0, 0}), box, above, upright, kAngularTolerance);
+  };
+  const auto half_over = facing_at(1);
+  EXPECT_TRUE(half_over.IsInset(0.49));
+  EXPECT_FALSE(half_over.IsInset(0.51));
+  const auto flush = facing_at(2 - 2e-6);  // Face to face with what is all but next to it.
+  EXPECT_FALSE(flush.IsInset(1e-5));
+  EXPECT_FALSE(facing_at(2.1).IsInset(0)) << "nothing overlaps";
+}
+
 }  // namespace
 }  // namespace dgd_test

@@ -62,6 +62,16 @@ std::vector<Case> SelectCases(const Conditions& conditions, const std::vector<Ca
   return few;
 }
 
+/// A sample for each case that SelectCases() leaves.
+/// @param measure  Sample(const Conditions&, const Case&).
+template <class Case, class Measure>
+Samples MeasureCases(const Conditions& conditions, const std::vector<Case>& all, std::size_t stride,
+                     const Measure& measure) {
+  Samples samples;
+  for (const Case& it : SelectCases(conditions, all, stride)) samples.push_back(measure(conditions, it));
+  return samples;
+}
+
 /// 0 to count - 1, or in a quick run every `stride`-th of them.
 std::vector<int> SelectIndices(const Conditions& conditions, int count, int stride);
 

@@ -162,17 +162,13 @@ Sample MeasurePastEdge(const Conditions& conditions, const PastEdge& it) {
 }  // namespace
 
 Samples MeasureGraze(const Conditions& conditions) {
-  Samples samples;
-  for (const Graze& it : SelectCases(conditions, GrazeCases(), 7)) samples.push_back(MeasureGraze(conditions, it));
-  return samples;
+  return MeasureCases(conditions, GrazeCases(), 7,
+                      [](const Conditions& under, const Graze& it) { return MeasureGraze(under, it); });
 }
 
 Samples MeasurePastEdge(const Conditions& conditions) {
-  Samples samples;
-  for (const PastEdge& it : SelectCases(conditions, PastEdgeCases(), 11)) {
-    samples.push_back(MeasurePastEdge(conditions, it));
-  }
-  return samples;
+  return MeasureCases(conditions, PastEdgeCases(), 11,
+                      [](const Conditions& under, const PastEdge& it) { return MeasurePastEdge(under, it); });
 }
 
 Samples MeasureNearRod(const Conditions& conditions) {
@@ -190,9 +186,8 @@ Samples MeasureNearRod(const Conditions& conditions) {
                                       {Rod::kCapsule, Rod::kCapsule, 0.5, 0.02, 0.3, 5e-4, 3, 3},
                                       {Rod::kBox, Rod::kBox, 1, 0.05, 0, 1e-3, 8, 1},
                                       {Rod::kBox, Rod::kBox, 0.3, 0.05, 0.2, 2e-4, 3, 2}};
-  Samples samples;
-  for (const NearRod& it : SelectCases(conditions, cases, 4)) samples.push_back(MeasureNearRod(conditions, it));
-  return samples;
+  return MeasureCases(conditions, cases, 4,
+                      [](const Conditions& under, const NearRod& it) { return MeasureNearRod(under, it); });
 }
 
 }  // namespace dgd_physics

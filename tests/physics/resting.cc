@@ -279,9 +279,8 @@ Samples MeasureStack(const Conditions& conditions) {
 }
 
 Samples MeasureTunnel(const Conditions& conditions) {
-  Samples samples;
-  for (const Shot& shot : SelectCases(conditions, Shots(), 7)) samples.push_back(MeasureTunnel(conditions, shot));
-  return samples;
+  return MeasureCases(conditions, Shots(), 7,
+                      [](const Conditions& under, const Shot& it) { return MeasureTunnel(under, it); });
 }
 
 }  // namespace dgd_physics

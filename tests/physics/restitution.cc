@@ -288,9 +288,8 @@ Samples MeasureCradle(const Conditions& conditions, const Cradle& it) {
 }  // namespace
 
 Samples MeasureHeadOn(const Conditions& conditions) {
-  Samples samples;
-  for (const HeadOn& it : SelectCases(conditions, HeadOnCases(), 7)) samples.push_back(MeasureHeadOn(conditions, it));
-  return samples;
+  return MeasureCases(conditions, HeadOnCases(), 7,
+                      [](const Conditions& under, const HeadOn& it) { return MeasureHeadOn(under, it); });
 }
 
 Samples MeasureGas(const Conditions& conditions) {
@@ -299,15 +298,12 @@ Samples MeasureGas(const Conditions& conditions) {
                                 {Ground::kBox, 60, seconds, 2},
                                 {Ground::kBox, 50, seconds, 3},
                                 {Ground::kPlane, 64, seconds, 4}};
-  Samples samples;
-  for (const Gas& it : SelectCases(conditions, all, 3)) samples.push_back(MeasureGas(conditions, it));
-  return samples;
+  return MeasureCases(conditions, all, 3, [](const Conditions& under, const Gas& it) { return MeasureGas(under, it); });
 }
 
 Samples MeasureBounce(const Conditions& conditions) {
-  Samples samples;
-  for (const Bounce& it : SelectCases(conditions, BounceCases(), 7)) samples.push_back(MeasureBounce(conditions, it));
-  return samples;
+  return MeasureCases(conditions, BounceCases(), 7,
+                      [](const Conditions& under, const Bounce& it) { return MeasureBounce(under, it); });
 }
 
 Samples MeasureObliqueBounce(const Conditions& conditions) {

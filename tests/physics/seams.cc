@@ -134,19 +134,13 @@ Sample MeasureMeshSeams(const Conditions& conditions, const MeshSeams& it) {
 }  // namespace
 
 Samples MeasureBoxSeams(const Conditions& conditions) {
-  Samples samples;
-  for (const BoxSeams& it : SelectCases(conditions, BoxSeamsCases(), 7)) {
-    samples.push_back(MeasureBoxSeams(conditions, it));
-  }
-  return samples;
+  return MeasureCases(conditions, BoxSeamsCases(), 7,
+                      [](const Conditions& under, const BoxSeams& it) { return MeasureBoxSeams(under, it); });
 }
 
 Samples MeasureMeshSeams(const Conditions& conditions) {
-  Samples samples;
-  for (const MeshSeams& it : SelectCases(conditions, MeshSeamsCases(), 11)) {
-    samples.push_back(MeasureMeshSeams(conditions, it));
-  }
-  return samples;
+  return MeasureCases(conditions, MeshSeamsCases(), 11,
+                      [](const Conditions& under, const MeshSeams& it) { return MeasureMeshSeams(under, it); });
 }
 
 }  // namespace dgd_physics

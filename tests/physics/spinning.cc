@@ -93,11 +93,8 @@ Samples MeasureDiscCircle(const Conditions& conditions) {
       {0.8, 0.1, 0.001, 1.25, 1.2, Ground::kPlane, 1}, {0.8, 0.1, 0, 1.35, 0.8, Ground::kBox, 2},
       {0.4, 0.03, 0.001, 1.2, 2, Ground::kPlane, 3},   {0.4, 0.03, 0.001, 1.4, 1, Ground::kBox, 0},
       {0.3, 0.06, 0, 1.15, 2, Ground::kPlane, 1},      {0.5, 0.05, 0, 1.3, 1.2, Ground::kBox, 2}};
-  Samples samples;
-  for (const DiscCase& it : SelectCases(conditions, cases, 3)) {
-    samples.push_back(MeasureDisc(conditions, it, kDuration));
-  }
-  return samples;
+  return MeasureCases(conditions, cases, 3,
+                      [](const Conditions& under, const DiscCase& it) { return MeasureDisc(under, it, kDuration); });
 }
 
 Samples MeasureRolling(const Conditions& conditions) {
@@ -121,11 +118,8 @@ Samples MeasureEulerDisc(const Conditions& conditions) {
       {0.8, 0.1, 0.001, 0.6, 0, Ground::kPlane, 1},  {0.8, 0.1, 0, 0.9, 0, Ground::kBox, 2},
       {0.4, 0.03, 0.001, 0.7, 0, Ground::kPlane, 3}, {0.4, 0.03, 0.001, 0.5, 0, Ground::kBox, 0},
       {0.3, 0.06, 0, 0.8, 0, Ground::kPlane, 1},     {0.5, 0.05, 0, 1, 0, Ground::kBox, 2}};
-  Samples samples;
-  for (const DiscCase& it : SelectCases(conditions, cases, 3)) {
-    samples.push_back(MeasureDisc(conditions, it, kDuration));
-  }
-  return samples;
+  return MeasureCases(conditions, cases, 3,
+                      [](const Conditions& under, const DiscCase& it) { return MeasureDisc(under, it, kDuration); });
 }
 
 }  // namespace dgd_physics

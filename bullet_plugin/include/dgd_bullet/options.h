@@ -48,6 +48,8 @@ struct Options {
   /// Bodies not farther apart than this get contacts; metres, >= 0. 0 stands for each manifold's breaking threshold,
   /// which is Bullet's own measure (2 cm for large bodies). Larger values hand over contacts earlier, which Bullet's
   /// solver keeps open until they close; points in manifolds that are not the pair's own never exceed its threshold.
+  /// In a dynamics world, bodies that approach each other get contacts only if they meet within the time step, and
+  /// those that rebound (combined restitution above 0) only where they touch or will within it.
   double contact_distance = 0;
 
   /// The default is what Bullet's own narrowphase seeks: the depth that apps read is the least way out. In piles it
@@ -67,7 +69,7 @@ struct Options {
   bool speculative_contacts = true;
 
   /// A cylinder or prism of many sides that wobbles on a flat side, as a spun coin does, also gets a contact where its
-  /// rim will be deepest at the end of the step, and comes to rest within seconds. Needs speculative_contacts.
+  /// rim will be deepest at the end of the step, and comes to rest within seconds. Needs contact_patch.
   /// Physics: this takes energy that theory keeps, the more the longer the step: a disc 0.8 m across, spun steadily at
   /// a tilt of 0.6 rad, lies after 2.2 s at 240 Hz and after 0.7 s at 60 Hz, where it should spin on.
   bool rim_damping = false;

@@ -183,19 +183,6 @@ void ClipByPolygon(const ProjectedFace<S>& subject, bool subject_is_1, const Pro
   for (int i = 0; i < current->size; ++i) overlap.Add((*current)[i]);
 }
 
-/// Whether a point seen along the normal is on the polygon.
-template <class S>
-bool IsOver(const ProjectedFace<S>& polygon, S x, S y) {
-  const SupportingFace<S>& face = polygon.Face();
-  const auto size = static_cast<std::size_t>(face.size);
-  for (std::size_t i = 0; i < size; ++i) {
-    const Vector3<S>&a = face.points[i], &b = face.points[i + 1 < size ? i + 1 : 0];
-    const S side = (b.x() - a.x()) * (y - a.y()) - (b.y() - a.y()) * (x - a.x());
-    if (!(polygon.Orientation() * side >= 0)) return false;
-  }
-  return true;
-}
-
 /// Whether a point seen along the normal is in a polygon, at least `inset` from each of its edges.
 template <class S>
 bool IsInsideBy(const SupportingFace<S>& face, S x, S y, S inset) {
@@ -306,7 +293,7 @@ struct FacingFaces {
     using namespace facing_faces_internal;
     if (!(is_of_1 ? is_across_2 : is_across_1)) return std::nullopt;
     const ProjectedFace<S> face(is_of_1 ? face_2 : face_1, S(0));
-    if (!IsOver(face, point.x(), point.y())) return std::nullopt;
+    if (!IsInsideBy(face.Face(), point.x(), point.y(), S(0))) return std::nullopt;
     const S height = face.Height(point.x(), point.y());
     return Corner<S>{point.x(), point.y(), is_of_1 ? point.z() : height, is_of_1 ? height : point.z()};
   }

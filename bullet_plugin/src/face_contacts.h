@@ -1,0 +1,28 @@
+// The contacts of a convex body with a triangle of a mesh along the triangle's own normal.
+#pragma once
+
+#include "dgd/contact_patch.h"
+#include "pair_contacts.h"
+#include "pair_motion.h"
+#include "posed_shape.h"
+
+namespace dgd_bullet {
+
+/// What a mesh wants to know of each of its triangles.
+struct TriangleQuery {
+  const PairMotion &motion, &reverse_motion;  ///< Of the convex body and the mesh, and of the mesh and the body.
+  ContactRange range;
+  dgd::PatchSettings<double> patch_settings;
+  double angular_tolerance;  ///< Radians: Options::angular_tolerance.
+  double flush;              ///< Metres: FlushOverlap().
+  bool is_asked;             ///< By an app, for the contacts themselves.
+  bool is_drawn;             ///< By a debug drawer, which wants to see contacts that have just been found.
+};
+
+/// Contacts where the body is over the triangle now, or when its motion brings it to the triangle's plane; none
+/// otherwise. Throws nothing of its own.
+/// @param normal  Of the triangle, from the body's side of it to the other; unit, world.
+dgd::ContactPatch<double> FindFaceContacts(PosedShape shape, const PosedShape& triangle, const Vector3& normal,
+                                           const TriangleQuery& query);
+
+}  // namespace dgd_bullet
