@@ -297,15 +297,25 @@ bool HasOwnWay(const btManifoldResult& output) {
 
 }  // namespace
 
-void OrderByImpulse(btPersistentManifold& manifold) {
-  // Of nearly equal ones the order is kept: changing it from step to step makes bodies at rest tremble.
-  constexpr btScalar kMore = btScalar(1.2);
-  // By insertion: there are four at most, most often in order already.
-  for (int i = 1; i < manifold.getNumContacts(); ++i) {
-    for (int j = i; j > 0; --j) {
-      btManifoldPoint &before = manifold.getContactPoint(j - 1), &point = manifold.getContactPoint(j);
-      if (!(point.m_appliedImpulse > kMore * before.m_appliedImpulse)) break;
-      std::swap(before, point);
+void OrderForSolver(btPersistentManifold& manifold) {
+  // Of nearly equal impulses the order is kept: changing it from step to step makes bodies at rest tremble.
+  constexpr btScalar kMore = btScalar(1.5);
+  const int count = manifold.getNumContacts();
+  if (count < 2) return;
+  btManifoldPoint& first = manifold.getContactPoint(0);
+  for (int i = 1; i < count; ++i) {
+    btManifoldPoint& point = manifold.getContactPoint(i);
+    if (point.m_appliedImpulse > kMore * first.m_appliedImpulse) std::swap(point, first);
+  }
+  if (!(first.m_appliedImpulse > 0)) return;  // An impact is shared best by opposite points first, as a patch has them.
+  const auto is_before = [&first](const btManifoldPoint& point, const btManifoldPoint& other) {
+    const btVector3 &origin = first.m_positionWorldOnB, &normal = first.m_normalWorldOnB;
+    return (point.m_positionWorldOnB - origin).cross(other.m_positionWorldOnB - origin).dot(normal) > 0;
+  };
+  // By insertion: most often they are in order already.
+  for (int i = 2; i < count; ++i) {
+    for (int j = i; j > 1 && is_before(manifold.getContactPoint(j), manifold.getContactPoint(j - 1)); --j) {
+      std::swap(manifold.getContactPoint(j), manifold.getContactPoint(j - 1));
     }
   }
 }
@@ -328,7 +338,7 @@ void UpdateManifold(std::span<const ManifoldContact> contacts, const PairMotion&
   }
   btPersistentManifold& manifold = *output.getPersistentManifold();
   for (int i = 0; i < manifold.getNumContacts(); ++i) PrepareRebound(manifold.getContactPoint(i), motion);
-  OrderByImpulse(manifold);
+  OrderForSolver(manifold);
 }
 
 void CountStep(btPersistentManifold& manifold) {

@@ -218,7 +218,7 @@ void RestingPair::Follow(const btCollisionObjectWrapper& body_a, const btCollisi
   sides_[1].pose = body_b.getWorldTransform();
   const btVector3 normal = sides_[footing_.holder == dgd::FaceHolder::kSet1 ? 0 : 1].pose.getBasis() * held_normal_;
   for (int i = 0; i < manifold.getNumContacts(); ++i) manifold.getContactPoint(i).m_normalWorldOnB = normal;
-  OrderByImpulse(manifold);
+  OrderForSolver(manifold);
 }
 
 RestingPair::Side RestingPair::SideOf(const btCollisionObjectWrapper& body) {

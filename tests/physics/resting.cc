@@ -162,9 +162,11 @@ Samples MeasurePlate(const Conditions& conditions, double offset_x, double offse
           RelativeToTheory(name + ": left force, N", scales[1].Force() + scales[3].Force(), theory(offset_y), "plate")};
 }
 
-/// The place of the topmost of five boxes after a while, against that of boxes that touch; over the stack's height.
-Samples MeasureStack(const Conditions& conditions, double half, double mass_ratio, Ground ground, int index) {
-  constexpr int kBoxes = 5;
+/// The place of the topmost of a stack of boxes after a while, against that of boxes that touch; over the stack's
+/// height.
+/// @param count  Of the boxes.
+Samples MeasureStack(const Conditions& conditions, int count, double half, double mass_ratio, Ground ground, int index,
+                     const std::string& group) {
   constexpr double kDuration = 5;  // s
   Lab lab(conditions);
   lab.AddGround(ground, btTransform::getIdentity(), {}, Surface{.friction = 1, .restitution = 0});
@@ -172,17 +174,17 @@ Samples MeasureStack(const Conditions& conditions, double half, double mass_rati
   const btTransform frame = At(Vec(0.23, 0.31, 0), Yaw(HeadingOf(index)));
   const btRigidBody* top = nullptr;
   double mass = 1;
-  for (int i = 0; i < kBoxes; ++i, mass *= mass_ratio) {
+  for (int i = 0; i < count; ++i, mass *= mass_ratio) {
     const double height = (2 * i + 1) * 0.8 * half;
     top = &lab.AddBody(shape, mass, frame * At(Vec(0, 0, height), Yaw(0.2 * i)));
   }
   const btVector3 start = PositionOf(*top);
   lab.Run(kDuration);
-  const btVector3 moved = (PositionOf(*top) - start) / btScalar(2 * kBoxes * 0.8 * half);
+  const btVector3 moved = (PositionOf(*top) - start) / btScalar(2 * count * 0.8 * half);
   const std::string name =
-      Text(kBoxes) + " boxes of " + Text(half) + " m, masses times " + Text(mass_ratio) + " on " + NameOf(ground);
-  return {Sample{name + ": lower", -double(moved.z()), 0, 1, {}},
-          Sample{name + ": aside", std::hypot(double(moved.x()), double(moved.y())), 0, 1, {}}};
+      Text(count) + " boxes of " + Text(half) + " m, masses times " + Text(mass_ratio) + " on " + NameOf(ground);
+  return {Sample{name + ": lower", -double(moved.z()), 0, 1, group},
+          Sample{name + ": aside", std::hypot(double(moved.x()), double(moved.y())), 0, 1, group}};
 }
 
 struct Shot {
@@ -273,7 +275,14 @@ Samples MeasureStack(const Conditions& conditions) {
   Samples samples;
   for (const int i : SelectIndices(conditions, 9, 4)) {
     const std::size_t j = static_cast<std::size_t>(i);
-    AddTo(samples, MeasureStack(conditions, kHalves[j % 3], kMassRatios[(j + j / 3) % 3], kGrounds[j % 2], i));
+    AddTo(samples,
+          MeasureStack(conditions, 5, kHalves[j % 3], kMassRatios[(j + j / 3) % 3], kGrounds[j % 2], i, "five"));
+  }
+  // Free fall takes these through a fiftieth of their size in a step at 60 Hz.
+  constexpr std::array<double, 3> kSmallHalves = {0.08, 0.1, 0.15};
+  for (const int i : SelectIndices(conditions, 6, 3)) {
+    const std::size_t j = static_cast<std::size_t>(i);
+    AddTo(samples, MeasureStack(conditions, 2 + i % 2, kSmallHalves[j % 3], 1, kGrounds[j % 2], i, "small"));
   }
   return samples;
 }

@@ -92,8 +92,8 @@ TEST_P(Simulation, StackOfFiveBoxes_Stands) {
   }
 }
 
-// Awake, since sleep hides a sway: with the points of a manifold in an order that does not follow their impulses, this
-// tower's boxes sway at up to 160 mm/s.
+// Awake, since sleep hides a sway: if the point that carries most is not the first of its manifold, this tower's boxes
+// sway at up to 120 mm/s.
 TEST_P(Simulation, TowerOfTwentyBoxes_StandsStill) {
   world_.AddGround();
   world_.world().getSolverInfo().m_numIterations = 50;
@@ -110,7 +110,7 @@ TEST_P(Simulation, TowerOfTwentyBoxes_StandsStill) {
     world_.Simulate(TestWorld::kTimeStep);
     for (const btRigidBody* body : tower) fastest = std::max(fastest, double(body->getLinearVelocity().length()));
   }
-  EXPECT_LE(fastest, 0.01);  // Where the tower sways, as on the built-in narrowphase, it is 0.06 and more.
+  EXPECT_LE(fastest, 0.02);  // Where the tower sways, as on the built-in narrowphase, it is 0.06 and more.
 }
 
 /// A box of a metre on the edge of a static one, along y at x = 0; its centre is `beyond` it. Where it is after five
