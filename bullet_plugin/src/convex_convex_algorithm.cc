@@ -377,12 +377,16 @@ ConvexConvexAlgorithm::ContactKind ConvexConvexAlgorithm::ClassifySpeculative(Qu
   dgd::Result<double>& result = query.result;
   const PairMotion& motion = query.motion;
   const bool is_touching = result.separation <= query.range.touching;
+  if (is_touching) TurnNormal(query);  // What the motion closes is to be judged along the normal that is handed over.
   if (!motion.MayApproachBy(result.separation, result.normal))
     return is_touching ? ContactKind::kPatch : ContactKind::kNone;
   if (!is_touching && result.separation > query.range.limit) return ContactKind::kNone;
   const double flush = FlushOverlap(manifold_.BreakingThreshold());
   TurnNormal(query);
   FindFacing(query);
+  if (motion.MaxArc() > flush && !MovingPair(query.shape_a, query.shape_b, motion).MeetAlong(result.normal)) {
+    return result.separation <= query.patch_settings.equal_depth ? ContactKind::kPatch : ContactKind::kNone;
+  }
   const Vector3 middle = (result.witness_1 + result.witness_2) / 2;
   if (query.facing.IsInset(flush + motion.Passing(middle, result.normal))) return ContactKind::kPatch;
   // Weight is left out: what supports the bodies takes it up, and would seem to let them sink into each other.

@@ -293,8 +293,9 @@ void ConvexMeshAlgorithm::Write(const TriangleQuery& query, bool has_foreign, co
   }
   const Options& options = narrowphase_.options();
   // Points of an app's own algorithm cannot be known from ours: none are dropped then.
-  UpdateManifold({chosen.data(), static_cast<std::size_t>(reduced.size)}, query.motion,
-                 {.drop_stale = options.contact_patch && !has_foreign, .hold_stuck = options.friction_anchors}, output);
+  ManifoldUpdate update = ManifoldUpdateOf(options, output);
+  update.drop_stale = update.drop_stale && !has_foreign;
+  UpdateManifold({chosen.data(), static_cast<std::size_t>(reduced.size)}, query.motion, update, output);
 }
 
 }  // namespace dgd_bullet

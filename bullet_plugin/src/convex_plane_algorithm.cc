@@ -67,6 +67,23 @@ dgd::ContactPatch<double> FindPatchOnPlane(const PosedShape& shape, const dgd::R
   return patch;
 }
 
+/// Whether a body's turning takes it past a plane that its points approach along straight lines: half way through the
+/// step and at its end it is clear of it.
+bool TurnsClear(const PosedShape& shape, const Pose& plane, const dgd::Result<double>& result, const PairMotion& motion,
+                const PairManifold& manifold) {
+  const double flush = FlushOverlap(manifold.BreakingThreshold());
+  if (!(result.separation > flush && motion.MaxArc() > flush)) return false;
+  const dgd::Motion<double> way_of_shape = motion.MotionOfA(shape.pose), way_of_plane = motion.MotionOfB(plane);
+  for (const double time : {0.5, 1.0}) {
+    PosedShape then = shape;
+    then.pose = way_of_shape.At(time);
+    const Pose plane_then = way_of_plane.At(time);
+    const Vector3 up = plane_then.rotation.col(2);
+    if (up.dot(SupportPoint(then, -up) - plane_then.translation) <= 0) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 ConvexPlaneAlgorithm::ConvexPlaneAlgorithm(const btCollisionAlgorithmConstructionInfo& info, Narrowphase& narrowphase,
@@ -125,7 +142,7 @@ std::optional<Fallback> ConvexPlaneAlgorithm::FindContacts(const btCollisionObje
   if (result.status == dgd::Status::kInvalidInput) return Fallback::kInvalid;
   outcome.iterations = result.iterations;
   dgd::ContactPatch<double> patch;
-  if (!is_out_of_reach(result.separation)) {
+  if (!is_out_of_reach(result.separation) && !TurnsClear(posed, pose_of_plane, result, motion, manifold_)) {
     outcome.way = PairOutcome::Way::kSolved;
     const auto settings = PatchSettingsOf(options, manifold_, range, IsAskedByApp(output));
     patch = options.contact_patch ? FindPatchOnPlane(posed, result, settings, motion, options) : WitnessOnly(result);

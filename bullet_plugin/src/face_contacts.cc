@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "dgd/facing_faces.h"
+#include "pair_impact.h"
 #include "pair_patch.h"
 
 namespace dgd_bullet {
@@ -44,6 +45,10 @@ dgd::ContactPatch<double> FindFaceContacts(PosedShape shape, const PosedShape& t
   const double approach = motion.Approach(deepest, normal);
   const bool is_ahead = result.separation > std::max(query.range.touching, 0.0);
   if (is_ahead && (result.separation > query.range.limit || !(approach >= result.separation))) return {};
+  if (result.separation > query.flush && motion.MaxArc() > query.flush &&
+      !MovingPair(shape, triangle, motion).MeetAlong(normal)) {
+    return {};
+  }
   const Vector3 way_across = is_ahead ? WayAcross(motion, deepest, normal) : Vector3(Vector3::Zero());
 
   // Moved to where its deepest part meets the plane, the body may show the triangle another part, which meets it later.

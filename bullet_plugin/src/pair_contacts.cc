@@ -1,13 +1,14 @@
 #include "pair_contacts.h"
 
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 
 #include <algorithm>
 #include <limits>
 
 #include "contact_distance.h"
-#include "manifold_writer.h"
+#include "shape_adapter.h"
 
 namespace dgd_bullet {
 namespace {
@@ -76,12 +77,18 @@ dgd::PatchSettings<double> PatchSettingsOf(const Options& options, const PairMan
           .max_points = options.patch_size};
 }
 
+ManifoldUpdate ManifoldUpdateOf(const Options& options, const btManifoldResult& output) {
+  // A shape without faces shows a point a step: as with Bullet's own narrowphase, a patch is what steps bring together.
+  const bool has_patch = options.contact_patch && ShowsFaces(*output.getBody0Wrap()->getCollisionShape()) &&
+                         ShowsFaces(*output.getBody1Wrap()->getCollisionShape());
+  return {.drop_stale = has_patch, .hold_stuck = options.friction_anchors};
+}
+
 void WriteContacts(const dgd::ContactPatch<double>& patch, const Vector3& normal, const PairMotion& motion,
                    const Options& options, const PairManifold& manifold, btManifoldResult& output) {
   if (!manifold.IsOwn()) return WritePatch(patch, normal, output);
   if (patch.size == 0 && manifold.IsEmpty()) return;  // As most pairs of a broadphase, step after step.
-  UpdateManifold(patch, normal, motion, {.drop_stale = options.contact_patch, .hold_stuck = options.friction_anchors},
-                 output);
+  UpdateManifold(patch, normal, motion, ManifoldUpdateOf(options, output), output);
 }
 
 }  // namespace dgd_bullet

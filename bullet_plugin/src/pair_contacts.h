@@ -5,6 +5,7 @@
 
 #include "dgd/contact_patch.h"
 #include "dgd_bullet/options.h"
+#include "manifold_writer.h"
 #include "pair_manifold.h"
 #include "pair_motion.h"
 #include "solver_types.h"
@@ -49,6 +50,9 @@ bool MayKeepContacts(const Options& options, const PairManifold& manifold);
 /// @param is_asked  By an app, for the contacts themselves.
 dgd::PatchSettings<double> PatchSettingsOf(const Options& options, const PairManifold& manifold,
                                            const ContactRange& range, bool is_asked);
+
+/// What becomes of the points that the manifold of a call's bodies holds.
+ManifoldUpdate ManifoldUpdateOf(const Options& options, const btManifoldResult& output);
 
 /// Makes the manifold's points those of the patch, through the output.
 /// @param normal  Unit, from A to B, of which A is the manifold's first body, or the call's where it is shared.

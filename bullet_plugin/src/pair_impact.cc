@@ -19,12 +19,6 @@ constexpr double kProbe = 32;
 /// Least cosine between the contact's normal now and when the bodies meet: about 18 degrees.
 constexpr double kMinAlignment = 0.95;
 
-/// Where a point that is fixed to a moving pose, and at `point` at `time`, was at the start.
-Vector3 AtStart(const Vector3& point, const dgd::Motion<double>& motion, double time) {
-  const Pose then = motion.At(time);
-  return motion.start * Vector3(then.rotation.transpose() * (point - then.translation));
-}
-
 }  // namespace
 
 void MovingPair::MoveTo(double time) {
@@ -37,6 +31,14 @@ double MovingPair::SeparationAlong(const Vector3& normal) const {
   return normal.dot(SupportPoint(b_, -normal) - SupportPoint(a_, normal));
 }
 
+bool MovingPair::MeetAlong(const Vector3& normal) {
+  for (const double time : {0.5, 1.0}) {
+    MoveTo(time);
+    if (SeparationAlong(normal) <= 0) return true;
+  }
+  return false;
+}
+
 dgd::Result<double> MovingPair::Distance(const dgd::Settings<double>& settings, bool follows,
                                          dgd::WarmStart<double>& warm_start) const {
   dgd::Result<double> result;
@@ -47,9 +49,17 @@ dgd::Result<double> MovingPair::Distance(const dgd::Settings<double>& settings, 
 }
 
 dgd::Result<double> MovingPair::AtStart(dgd::Result<double> contact) const {
-  contact.witness_1 = dgd_bullet::AtStart(contact.witness_1, way_a_, time_);
-  contact.witness_2 = dgd_bullet::AtStart(contact.witness_2, way_b_, time_);
-  contact.separation = contact.normal.dot(contact.witness_2 - contact.witness_1);
+  const Vector3& normal = contact.normal;
+  const auto way_of = [&](const dgd::Motion<double>& motion, const Vector3& point) -> Vector3 {
+    return time_ * (motion.translation + motion.rotation.cross(point - motion.CenterAt(time_)));
+  };
+  contact.separation += normal.dot(way_of(way_a_, contact.witness_1) - way_of(way_b_, contact.witness_2));
+  const Vector3 on_a = contact.witness_1 - time_ * way_a_.translation;
+  const Vector3 on_b = contact.witness_2 - time_ * way_b_.translation;
+  // One place for both: the arm that counts is that of the body that gives way.
+  const Vector3 place = share_of_a_ * on_a + (1 - share_of_a_) * on_b;
+  contact.witness_1 = place + normal.dot(on_a - place) * normal;
+  contact.witness_2 = contact.witness_1 + contact.separation * normal;
   return contact;
 }
 

@@ -12,7 +12,11 @@ namespace dgd_bullet {
 class MovingPair {
  public:
   MovingPair(const PosedShape& shape_a, const PosedShape& shape_b, const PairMotion& motion)
-      : a_(shape_a), b_(shape_b), way_a_(motion.MotionOfA(a_.pose)), way_b_(motion.MotionOfB(b_.pose)) {}
+      : a_(shape_a),
+        b_(shape_b),
+        way_a_(motion.MotionOfA(a_.pose)),
+        way_b_(motion.MotionOfB(b_.pose)),
+        share_of_a_(motion.ShareOfA()) {}
 
   /// @param time  From 0 to 1.
   void MoveTo(double time);
@@ -20,17 +24,25 @@ class MovingPair {
   /// Along a normal from A to B, where the shapes are; metres.
   double SeparationAlong(const Vector3& normal) const;
 
+  /// Whether the shapes overlap along a normal from A to B half way through the step or at its end. The shapes are
+  /// moved.
+  bool MeetAlong(const Vector3& normal);
+
   /// The signed distance where the shapes are.
   /// @param follows  Whether FollowDistance() can go on from the warm start.
   dgd::Result<double> Distance(const dgd::Settings<double>& settings, bool follows,
                                dgd::WarmStart<double>& warm_start) const;
 
-  /// A contact where the shapes are, as it is at the start of the step.
+  /// A contact where the shapes are, for a solver that takes the bodies to be where they are at the start of the step:
+  /// it has the arms about the bodies' centres and the normal that it has here, and the separation that the bodies'
+  /// velocities at it close until now. The point of a ball that is to touch next is not the one that has turned to
+  /// where it will be, and no part of its spin is an approach.
   dgd::Result<double> AtStart(dgd::Result<double> contact) const;
 
  private:
   PosedShape a_, b_;
   const dgd::Motion<double> way_a_, way_b_;
+  const double share_of_a_;
   double time_ = 0;
 };
 

@@ -22,11 +22,15 @@ BodyReach::BodyReach(const btCollisionObject& body)
 
 PairMotion::Twist PairMotion::Read(const BodyReach& body, double time_step) {
   const btRigidBody* rigid = btRigidBody::upcast(&body.object);
-  if (rigid == nullptr || rigid->isStaticObject()) return {};
+  // Apps that make a body kinematic as Bullet's manual says leave it flagged as static, too.
+  if (rigid == nullptr || (rigid->isStaticObject() && !rigid->isKinematicObject())) return {};
   const btVector3& origin = rigid->getWorldTransform().getOrigin();  // The centre of mass.
-  return {FromBullet(rigid->getLinearVelocity()), FromBullet(rigid->getAngularVelocity()),
-          FromBullet(btScalar(time_step) * rigid->getInvMass() * rigid->getTotalForce()), FromBullet(origin),
-          body.reach};
+  return {FromBullet(rigid->getLinearVelocity()),
+          FromBullet(rigid->getAngularVelocity()),
+          FromBullet(btScalar(time_step) * rigid->getInvMass() * rigid->getTotalForce()),
+          FromBullet(origin),
+          body.reach,
+          double(rigid->getInvMass())};
 }
 
 dgd::Motion<double> PairMotion::Twist::MotionOf(const Pose& pose, double time) const {

@@ -69,6 +69,11 @@ class PairMotion {
     return !(time_step_ * (along + around) < distance) && !(MaxApproach(normal) < distance);
   }
 
+  /// Metres by which turning takes points off the straight lines that Approach() knows, at most.
+  double MaxArc() const {
+    return time_step_ * time_step_ * (a_.angular.squaredNorm() * a_.reach + b_.angular.squaredNorm() * b_.reach) / 2;
+  }
+
   /// The motion at the present velocities: what supports a body takes up its weight.
   PairMotion WithoutForces() const {
     PairMotion coasting = *this;
@@ -99,6 +104,13 @@ class PairMotion {
     return time_step_ * (a_.angular - b_.angular).cross(normal).norm() * std::min(a_.reach, b_.reach);
   }
 
+  /// Part of what moves the bodies' surfaces against each other that an impulse at their centres would move A by: 0
+  /// to 1.
+  double ShareOfA() const {
+    const double both = a_.inverse_mass + b_.inverse_mass;
+    return both > 0 ? a_.inverse_mass / both : 0.5;
+  }
+
   /// The way of a pose that is fixed to a body over the time step.
   dgd::Motion<double> MotionOfA(const Pose& pose) const { return a_.MotionOf(pose, time_step_); }
   dgd::Motion<double> MotionOfB(const Pose& pose) const { return b_.MotionOf(pose, time_step_); }
@@ -119,6 +131,7 @@ class PairMotion {
     Vector3 gain = Vector3::Zero();     // What the forces on the body add to its velocity within the step.
     Vector3 center = Vector3::Zero();   // World, metres.
     double reach = 0;                   // From the centre to the body's farthest point, metres.
+    double inverse_mass = 0;            // 1 / kg.
   };
 
   static Twist Read(const BodyReach& body, double time_step);

@@ -47,9 +47,14 @@ btVector3 SizeOf(const btCollisionShape& shape, int type) {
 
 /// How far the surface is from what the size says.
 btScalar OffsetOf(const btCollisionShape& shape, int type) {
-  // A plane's own is not looked at.
-  return type == STATIC_PLANE_PROXYTYPE ? static_cast<const btStaticPlaneShape&>(shape).getPlaneConstant()
-                                        : shape.getMargin();
+  switch (type) {
+    case STATIC_PLANE_PROXYTYPE:  // Its margin is not looked at.
+      return static_cast<const btStaticPlaneShape&>(shape).getPlaneConstant();
+    case MULTI_SPHERE_SHAPE_PROXYTYPE:
+      return RadiusOfPoints(static_cast<const btConvexShape&>(shape));
+    default:
+      return shape.getMargin();
+  }
 }
 
 int AxisOf(const btCollisionShape& shape, int type) {
@@ -57,7 +62,7 @@ int AxisOf(const btCollisionShape& shape, int type) {
 }
 
 bool HasComparableShape(const btCollisionObjectWrapper& body) {
-  switch (const int type = body.getCollisionShape()->getShapeType()) {
+  switch (body.getCollisionShape()->getShapeType()) {
     case CONE_SHAPE_PROXYTYPE:
     case SPHERE_SHAPE_PROXYTYPE:
     case BOX_SHAPE_PROXYTYPE:
@@ -66,14 +71,21 @@ bool HasComparableShape(const btCollisionObjectWrapper& body) {
     case STATIC_PLANE_PROXYTYPE:
       return true;
     default:
-      return IsHullOfPoints(type);
+      return IsHullOfPoints(static_cast<const btConvexShape&>(*body.getCollisionShape()));
   }
 }
 
-/// Or a half-space.
+/// Whether a body does not roll: a polytope with a margin, or a half-space.
 bool IsPolytope(const btCollisionObjectWrapper& body) {
-  const int type = body.getCollisionShape()->getShapeType();
-  return type == BOX_SHAPE_PROXYTYPE || type == STATIC_PLANE_PROXYTYPE || IsHullOfPoints(type);
+  switch (body.getCollisionShape()->getShapeType()) {
+    case BOX_SHAPE_PROXYTYPE:
+    case STATIC_PLANE_PROXYTYPE:
+      return true;
+    case MULTI_SPHERE_SHAPE_PROXYTYPE:
+      return false;
+    default:
+      return IsHullOfPoints(static_cast<const btConvexShape&>(*body.getCollisionShape()));
+  }
 }
 
 bool HasPlainMaterial(const btCollisionObject& body) {
@@ -234,13 +246,18 @@ bool RestingPair::IsSameShape(const Side& then, const btCollisionObjectWrapper& 
   if (shape != then.shape) return false;
   const int type = shape->getShapeType();
   if (type != then.type || OffsetOf(*shape, type) != then.offset) return false;
-  if (IsHullOfPoints(type)) return hull != nullptr && hull->Matches(static_cast<const btConvexShape&>(*shape));
+  if (type != STATIC_PLANE_PROXYTYPE) {
+    const auto& convex = static_cast<const btConvexShape&>(*shape);
+    if (IsHullOfPoints(convex)) return hull != nullptr && hull->Matches(convex);
+  }
   return AxisOf(*shape, type) == then.axis && SizeOf(*shape, type) == then.size;
 }
 
 bool RememberRest(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
                   const Footing& footing, const PairMotion& motion, const btPersistentManifold& manifold,
                   std::unique_ptr<RestingPair>& resting) {
+  // What may roll must have its contacts where it is, however slow.
+  if (manifold.getNumContacts() < FewestOfFooting(body_a, body_b)) return false;
   const auto breaking_threshold = double(manifold.getContactBreakingThreshold());
   if (!motion.IsWithin(RestingDistance(breaking_threshold)) && !Lasts(footing, motion, manifold)) return false;
   if (!RestingPair::CanTell(body_a, body_b, breaking_threshold, footing)) return false;

@@ -89,9 +89,24 @@ PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, 
     default:
       break;
   }
-  if (!IsHullOfPoints(type)) return {dgd::RoundedSet{ThroughBullet(shape, radius), radius}, FromBullet(transform)};
+  if (!IsHullOfPoints(shape)) return {dgd::RoundedSet{ThroughBullet(shape, radius), radius}, FromBullet(transform)};
   if (hull == nullptr || !hull->Matches(shape)) hull = cache.Find(shape);
-  return {dgd::RoundedSet{dgd::CoreReference(hull->Core()), radius}, FromBullet(transform)};
+  const double radius_of_points = type == MULTI_SPHERE_SHAPE_PROXYTYPE ? double(RadiusOfPoints(shape)) : radius;
+  return {dgd::RoundedSet{dgd::CoreReference(hull->Core()), radius_of_points}, FromBullet(transform)};
+}
+
+bool ShowsFaces(const btCollisionShape& shape) {
+  switch (shape.getShapeType()) {
+    case SPHERE_SHAPE_PROXYTYPE:
+    case CAPSULE_SHAPE_PROXYTYPE:
+    case TRIANGLE_SHAPE_PROXYTYPE:
+    case BOX_SHAPE_PROXYTYPE:
+    case CYLINDER_SHAPE_PROXYTYPE:
+    case CONE_SHAPE_PROXYTYPE:
+      return true;
+    default:
+      return !shape.isConvex() || IsHullOfPoints(static_cast<const btConvexShape&>(shape));
+  }
 }
 
 }  // namespace dgd_bullet

@@ -9,6 +9,7 @@
 #include "posed_shape.h"
 
 class btBoxShape;
+class btCollisionShape;
 class btConvexShape;
 
 namespace dgd_bullet {
@@ -31,5 +32,9 @@ int UpAxis(const btConvexShape& shape);
 /// Throws std::invalid_argument if a size or a point is not finite or the shape has no points.
 PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, GeometryMode geometry, HullCache& cache,
                       std::shared_ptr<const CachedHull>& hull);
+
+/// Whether the set that AdaptShape() makes of a shape shows its faces. What only Bullet can evaluate does not: unequal
+/// spheres, scaled shapes, an app's own. Planes and meshes have faces, too.
+bool ShowsFaces(const btCollisionShape& shape);
 
 }  // namespace dgd_bullet

@@ -4,6 +4,7 @@
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletCollision/CollisionShapes/btConvexPointCloudShape.h>
 #include <BulletCollision/CollisionShapes/btConvexTriangleMeshShape.h>
+#include <BulletCollision/CollisionShapes/btMultiSphereShape.h>
 #include <BulletCollision/CollisionShapes/btStridingMeshInterface.h>
 #include <BulletCollision/CollisionShapes/btTetrahedronShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleCallback.h>
@@ -33,18 +34,36 @@ Vector3 ReadPoint(const unsigned char* bytes) {
   return {double(coordinates[0]), double(coordinates[1]), double(coordinates[2])};
 }
 
+/// Whether all spheres are spheres, scaled as they are, and of one radius.
+bool AreEqual(const btMultiSphereShape& spheres) {
+  const btVector3& scaling = spheres.getLocalScalingNV();
+  if (!(scaling.x() > 0 && scaling.x() == scaling.y() && scaling.x() == scaling.z())) return false;
+  for (int i = 1; i < spheres.getSphereCount(); ++i) {
+    if (spheres.getSphereRadius(i) != spheres.getSphereRadius(0)) return false;
+  }
+  return spheres.getSphereCount() > 0;
+}
+
 }  // namespace
 
-bool IsHullOfPoints(int shape_type) {
-  switch (shape_type) {
+bool IsHullOfPoints(const btConvexShape& shape) {
+  switch (shape.getShapeType()) {
     case CONVEX_HULL_SHAPE_PROXYTYPE:
     case CONVEX_POINT_CLOUD_SHAPE_PROXYTYPE:
     case TETRAHEDRAL_SHAPE_PROXYTYPE:
     case CONVEX_TRIANGLEMESH_SHAPE_PROXYTYPE:
       return true;
+    case MULTI_SPHERE_SHAPE_PROXYTYPE:
+      return AreEqual(static_cast<const btMultiSphereShape&>(shape));
     default:
       return false;
   }
+}
+
+btScalar RadiusOfPoints(const btConvexShape& shape) {
+  if (shape.getShapeType() != MULTI_SPHERE_SHAPE_PROXYTYPE) return shape.getMargin();
+  const auto& spheres = static_cast<const btMultiSphereShape&>(shape);
+  return spheres.getSphereRadius(0) * spheres.getLocalScalingNV().x();
 }
 
 ShapePoints::ShapePoints(const btConvexShape& shape)
@@ -64,6 +83,14 @@ ShapePoints::ShapePoints(const btConvexShape& shape)
       base_ = reinterpret_cast<const unsigned char*>(cloud.getUnscaledPoints());
       is_vector_array_ = count_ > 0;
       scaling_ = &cloud.getLocalScalingNV();
+      break;
+    }
+    case MULTI_SPHERE_SHAPE_PROXYTYPE: {
+      const auto& spheres = static_cast<const btMultiSphereShape&>(shape);
+      count_ = spheres.getSphereCount();
+      base_ = reinterpret_cast<const unsigned char*>(&spheres.getSpherePosition(0));
+      is_vector_array_ = true;
+      scaling_ = &spheres.getLocalScalingNV();
       break;
     }
     case TETRAHEDRAL_SHAPE_PROXYTYPE:

@@ -10,8 +10,13 @@ class btConvexShape;
 
 namespace dgd_bullet {
 
-/// Whether the shape is the hull of points (plus margin): hull, point cloud, tetrahedron, convex triangle mesh.
-bool IsHullOfPoints(int shape_type);
+/// Whether the shape is the hull of points, with a radius: hull, point cloud, tetrahedron, convex triangle mesh, and
+/// spheres of one radius.
+bool IsHullOfPoints(const btConvexShape& shape);
+
+/// The radius around the points of a shape for which IsHullOfPoints() holds, metres: its margin, or that of its
+/// spheres.
+btScalar RadiusOfPoints(const btConvexShape& shape);
 
 /// Random access to the points of a shape for which IsHullOfPoints() holds; valid while the shape is not changed.
 class ShapePoints {

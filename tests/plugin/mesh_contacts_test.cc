@@ -378,7 +378,8 @@ TEST(MeshContacts, RollingBall_StartsItsContactOnce) {
   }
 }
 
-// The point is on the triangle that it names, also when it goes on from one to the next.
+// The point is on the triangle that it names, also when it goes on from one to the next; a point ahead of touching is
+// as far from it as the body goes in a step, at most.
 TEST(MeshContacts, Points_NameTheTriangleBelowThem) {
   MeshWorld world(60);
   std::vector<std::array<btVector3, 3>> triangles;
@@ -415,7 +416,7 @@ TEST(MeshContacts, Points_NameTheTriangleBelowThem) {
         };
         // Seen from above; anchored points are off by part of a millimetre, those ahead of their time by more.
         if (point.getDistance() > btScalar(0.005)) continue;
-        EXPECT_GT(std::min({side(a, b, place), side(b, c, place), side(c, a, place)}), -1e-3);
+        EXPECT_GT(std::min({side(a, b, place), side(b, c, place), side(c, a, place)}), -5e-3);
         ++seen;
       }
     }
