@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "pair_distance.h"
 #include "pair_solver.h"
 #include "plugin/rigid_body.h"
@@ -61,6 +64,95 @@ TEST(PredictEncounter, FallingBox_MeetsTheTopAside) {
 
 TEST(PredictEncounter, BoxThatIsHigher_Passes) {
   EXPECT_EQ(Encountering(0.02, 0.05, {0.3, 0, 0}).encounter, Encounter::kPass);
+}
+
+/// A ball above the tile's middle, which moves and spins.
+class BallOverTile : public testing::Test {
+ protected:
+  static constexpr double kRadius = 0.3, kTime = 0.1;  // m, s
+  static constexpr double kRoundoff = sizeof(btScalar) == sizeof(double) ? 1e-9 : 1e-6;
+
+  /// The contact where they are at the step's end, as it is at its start. The ball is shape A, or B.
+  dgd::Result<double> AtStart(double height, const Vector3& velocity, const Vector3& spin, bool is_ball_first = true) {
+    start_ = {2, 0, kRadius + height};
+    const dgd_bullet::PosedShape tile = BoxAt({1, 1, 1}, {2, 0, -1}),
+                                 ball = {dgd::RoundedSet{dgd::Point<double>(), kRadius},
+                                         {Eigen::Matrix3d::Identity(), start_}};
+    btSphereShape shape{btScalar(kRadius)};
+    const auto still = MakeRigidBody(shape, 0, btTransform::getIdentity());
+    const auto moving =
+        MakeRigidBody(shape, 1, btTransform(btQuaternion::getIdentity(), Vec(start_.x(), start_.y(), start_.z())));
+    moving->setLinearVelocity(Vec(velocity.x(), velocity.y(), velocity.z()));
+    moving->setAngularVelocity(Vec(spin.x(), spin.y(), spin.z()));
+    const dgd_bullet::BodyReach reach_of_tile(*still), reach_of_ball(*moving);
+    const dgd_bullet::PairMotion motion = is_ball_first ? dgd_bullet::PairMotion(reach_of_ball, reach_of_tile, kTime)
+                                                        : dgd_bullet::PairMotion(reach_of_tile, reach_of_ball, kTime);
+    dgd_bullet::MovingPair pair =
+        is_ball_first ? dgd_bullet::MovingPair(ball, tile, motion) : dgd_bullet::MovingPair(tile, ball, motion);
+    pair.MoveTo(1);
+    dgd::WarmStart<double> warm_start;
+    return pair.AtStart(pair.Distance({}, false, warm_start));
+  }
+
+  Vector3 start_ = Vector3::Zero();  // The ball's centre.
+};
+
+// The point that touches next is below the ball's centre. What has turned to where it will be comes from behind, with
+// an arm that would brake the ball.
+TEST_F(BallOverTile, SpinningBall_TouchesBelowItsCentre) {
+  for (const Vector3& spin : {Vector3(0, 0, 0), Vector3(0, 3, 0), Vector3(-7, 2, 5)}) {
+    const dgd::Result<double> contact = AtStart(1e-3, {0.9, 0.2, 0}, spin);
+    const Vector3 below = start_ - kRadius * Vector3::UnitZ();
+    EXPECT_LE((contact.witness_1 - below).norm(), kRoundoff) << spin.transpose();
+    EXPECT_LE((contact.witness_2 - contact.witness_1 - contact.separation * contact.normal).norm(), kRoundoff);
+  }
+}
+
+TEST_F(BallOverTile, Spin_IsNoApproach) {
+  EXPECT_NEAR(AtStart(1e-3, {0.9, 0, 0}, {0, 3, 0}).separation, 1e-3, kRoundoff);
+  EXPECT_NEAR(AtStart(1e-3, {0, 0, 0}, {-7, 20, 5}).separation, 1e-3, kRoundoff);
+}
+
+TEST_F(BallOverTile, FallingBall_IsAsFarAsItFalls) {
+  EXPECT_NEAR(AtStart(0.02, {0.9, 0, -0.15}, {0, 3, 0}).separation, 0.02, kRoundoff);
+}
+
+TEST_F(BallOverTile, OtherOrder_SamePlaces) {
+  const dgd::Result<double> contact = AtStart(0.02, {0.9, 0.2, -0.15}, {1, 3, 0}),
+                            mirrored = AtStart(0.02, {0.9, 0.2, -0.15}, {1, 3, 0}, false);
+  EXPECT_LE((contact.witness_1 - mirrored.witness_2).norm(), kRoundoff);
+  EXPECT_LE((contact.normal + mirrored.normal).norm(), kRoundoff);
+  EXPECT_NEAR(contact.separation, mirrored.separation, kRoundoff);
+}
+
+/// Whether a cube that stands on the tile's edge-to-edge diagonal, its lowest edge 2 mm clear, meets the tile's top as
+/// it turns about its own axis by an angle and sinks.
+bool TurningCubeMeets(double start, double angle, double sinks) {
+  const double radius = 0.2 * std::sqrt(2);
+  const dgd_bullet::PosedShape tile = BoxAt({1, 1, 1}, {0, 0, -1});
+  dgd_bullet::PosedShape cube = BoxAt({0.2, 0.2, 0.2}, {0, 0, radius + 2e-3});
+  cube.pose.rotation = Eigen::AngleAxisd(start, Vector3::UnitY()).toRotationMatrix();
+  btBoxShape shape(Vec(0.2, 0.2, 0.2));
+  const auto still = MakeRigidBody(shape, 0, btTransform::getIdentity());
+  const auto moving =
+      MakeRigidBody(shape, 1, btTransform(btQuaternion::getIdentity(), Vec(0, 0, cube.pose.translation.z())));
+  moving->setLinearVelocity(Vec(0, 0, -sinks));
+  moving->setAngularVelocity(Vec(0, angle, 0));
+  const dgd_bullet::PairMotion motion(dgd_bullet::BodyReach(*moving), dgd_bullet::BodyReach(*still), 1);
+  // Its corner is on its way down as fast as the rim turns: along a straight line it would be far below the top.
+  const Vector3 corner = cube.pose * Vector3(0.2, 0, -0.2);
+  EXPECT_GT(motion.Approach(corner, -Vector3::UnitZ()), 0.02);
+  return dgd_bullet::MovingPair(cube, tile, motion).MeetAlong(-Vector3::UnitZ());
+}
+
+TEST(MeetAlong, CubeThatTurnsClear_DoesNotMeet) {
+  for (const double angle : {0.3, 0.8, 1.5}) EXPECT_FALSE(TurningCubeMeets(0.5, angle, 0)) << angle;
+}
+
+TEST(MeetAlong, CubeThatSinksAsItTurns_Meets) {
+  // At the end of the step, and half way only: a face is down at the end.
+  EXPECT_TRUE(TurningCubeMeets(0.5, 0.3, 0.01));
+  EXPECT_TRUE(TurningCubeMeets(std::numbers::pi / 8, std::numbers::pi / 4, 0.006));
 }
 
 }  // namespace

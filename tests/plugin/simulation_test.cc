@@ -20,6 +20,20 @@ class Simulation : public testing::TestWithParam<Route> {
   TestWorld world_{GetParam()};
 };
 
+// The contact with the next box, ahead of its time, has the ball's arm of when they touch.
+TEST_P(Simulation, BallOverFlushBoxes_KeepsItsSpeed) {
+  constexpr double kRadius = 0.07, kSpeed = 5, kHalfTile = 0.3;
+  auto& tile = world_.Make<btBoxShape>(Vec(kHalfTile, 1, 0.2));
+  for (int i = -2; i < 18; ++i) world_.Add(tile, 0, Vec((2 * i + 1) * kHalfTile, 0, -0.2)).setFriction(1);
+  btRigidBody& ball = world_.Add(world_.Make<btSphereShape>(btScalar(kRadius)), 1, Vec(0, 0, kRadius));
+  ball.setFriction(1);
+  ball.setLinearVelocity(Vec(kSpeed, 0.1, 0));
+  ball.setAngularVelocity(Vec(-0.1 / kRadius, kSpeed / kRadius, 0));
+  world_.Simulate(2);
+  EXPECT_NEAR(double(ball.getLinearVelocity().x()), kSpeed, 0.01 * kSpeed);
+  EXPECT_NEAR(double(ball.getWorldTransform().getOrigin().z()), kRadius, 1e-3);
+}
+
 /// Dropped flat from 10 cm, a body must lie still at `height` after five seconds, asleep.
 void ExpectRest(TestWorld& world, btConvexShape& shape, double height) {
   btRigidBody& body = world.Add(shape, 1, Vec(0.3, -0.2, height + 0.1));

@@ -1,0 +1,72 @@
+// How far bodies go within a step, by what Bullet says of them.
+#include "pair_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "plugin/rigid_body.h"
+
+namespace dgd_test {
+namespace {
+
+using dgd_bullet::PairMotion;
+using dgd_bullet::Vector3;
+
+constexpr double kTime = 0.5;  // s
+
+class OfTwoBodies : public testing::Test {
+ protected:
+  /// Of a body that moves along x at 2 m/s and one at rest, both at the origin.
+  PairMotion Motion() {
+    moving_->setLinearVelocity(Vec(2, 0, 0));
+    return {dgd_bullet::BodyReach(*moving_), dgd_bullet::BodyReach(*other_), kTime};
+  }
+  double Way() { return Motion().Approach(Vector3::Zero(), Vector3::UnitX()); }
+
+  btBoxShape shape_{Vec(0.5, 0.5, 0.5)};
+  std::unique_ptr<btRigidBody> moving_ = MakeRigidBody(shape_, 0, btTransform::getIdentity());
+  std::unique_ptr<btRigidBody> other_ = MakeRigidBody(shape_, 1, btTransform::getIdentity());
+};
+
+TEST_F(OfTwoBodies, StaticBody_StandsStill) { EXPECT_EQ(Way(), 0); }
+
+// setCollisionFlags(getCollisionFlags() | CF_KINEMATIC_OBJECT), as Bullet's manual has it.
+TEST_F(OfTwoBodies, KinematicBodyStillFlaggedAsStatic_Moves) {
+  ASSERT_TRUE(moving_->isStaticObject());
+  moving_->setCollisionFlags(moving_->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+  EXPECT_EQ(Way(), 2 * kTime);
+}
+
+TEST_F(OfTwoBodies, KinematicBodyFlaggedAsNothingElse_Moves) {
+  moving_->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+  EXPECT_EQ(Way(), 2 * kTime);
+}
+
+TEST_F(OfTwoBodies, ShareOfA_IsByInverseMass) {
+  EXPECT_EQ(Motion().ShareOfA(), 0);
+  EXPECT_EQ(Motion().Reversed().ShareOfA(), 1);
+  moving_ = MakeRigidBody(shape_, 0.25, btTransform::getIdentity());
+  EXPECT_NEAR(Motion().ShareOfA(), 0.8, 1e-6);
+  // Neither gives way.
+  moving_ = MakeRigidBody(shape_, 0, btTransform::getIdentity());
+  other_ = MakeRigidBody(shape_, 0, btTransform::getIdentity());
+  EXPECT_EQ(Motion().ShareOfA(), 0.5);
+}
+
+// The rim is off its tangent by R (1 - cos(angle)) and R (angle - sin(angle)).
+TEST_F(OfTwoBodies, MaxArc_IsNoLessThanTheRimsWayOffItsTangent) {
+  moving_ = MakeRigidBody(shape_, 1, btTransform::getIdentity());
+  EXPECT_EQ(Motion().MaxArc(), 0);
+  const double reach = dgd_bullet::BodyReach(*moving_).reach;
+  for (const double angle : {0.01, 0.1, 0.7}) {
+    moving_->setAngularVelocity(Vec(0, 0, angle / kTime));
+    const double off = reach * std::hypot(1 - std::cos(angle), angle - std::sin(angle));
+    EXPECT_GE(Motion().MaxArc(), off) << angle;
+    EXPECT_LE(Motion().MaxArc(), 1.1 * off) << angle;
+  }
+}
+
+}  // namespace
+}  // namespace dgd_test
