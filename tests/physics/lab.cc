@@ -1,11 +1,14 @@
 #include "physics/lab.h"
 
 #include <BulletCollision/CollisionShapes/btHeightfieldTerrainShape.h>
+#include <BulletCollision/CollisionShapes/btUniformScalingShape.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <vector>
+
+#include "plugin/truncated_pyramid.h"
 
 namespace dgd_physics {
 namespace {
@@ -30,6 +33,16 @@ btTriangleMesh& AddSquares(btTriangleMesh& mesh, const Grid& grid) {
   return mesh;
 }
 
+/// Spheres around the corners of a rectangle, which stand on the ground, and a larger one above it or not.
+btMultiSphereShape& MakeSpheres(Lab& lab, double half, bool has_larger) {
+  std::array<btVector3, 5> centers = {Vec(-0.7, -0.5, 0), Vec(-0.7, 0.5, 0), Vec(0.7, -0.5, 0), Vec(0.7, 0.5, 0),
+                                      Vec(0, 0.1, 0.3)};
+  std::array<btScalar, 5> radii = {btScalar(0.3), btScalar(0.3), btScalar(0.3), btScalar(0.3), btScalar(0.5)};
+  for (btVector3& center : centers) center *= btScalar(half);
+  for (btScalar& radius : radii) radius *= btScalar(half);
+  return lab.Make<btMultiSphereShape>(centers.data(), radii.data(), has_larger ? 5 : 4);
+}
+
 }  // namespace
 
 double PhaseOf(int index) {
@@ -48,8 +61,16 @@ std::string NameOf(Form form) {
       return "hull";
     case Form::kCylinder:
       return "cylinder";
-    default:
+    case Form::kCapsule:
       return "capsule";
+    case Form::kEqualSpheres:
+      return "equal spheres";
+    case Form::kUnequalSpheres:
+      return "unequal spheres";
+    case Form::kScaled:
+      return "scaled hull";
+    default:
+      return "app's own";
   }
 }
 
@@ -85,8 +106,19 @@ btConvexShape& Lab::MakeForm(Form form, double half) {
       return MakePrism(6, 0.9 * half, 0.6 * half, 0.1 * half);
     case Form::kCylinder:
       return Make<btCylinderShapeZ>(Vec(half, half, 0.6 * half));
-    default:
+    case Form::kCapsule:
       return Make<btCapsuleShapeZ>(btScalar(0.6 * half), btScalar(0.8 * half));
+    case Form::kEqualSpheres:
+      return MakeSpheres(*this, half, false);
+    case Form::kUnequalSpheres:
+      return MakeSpheres(*this, half, true);
+    case Form::kScaled: {
+      constexpr double kScale = 1.5;
+      btConvexShape& hull = MakeForm(Form::kHull, half / kScale);
+      return Make<btUniformScalingShape>(&hull, btScalar(kScale));
+    }
+    default:
+      return Make<dgd_test::TruncatedPyramid>(Vec(0.8 * half, 0.6 * half, 0.4 * half), 0.1 * half);
   }
 }
 
@@ -117,7 +149,7 @@ btRigidBody& Lab::AddStatic(btCollisionShape& shape, const btTransform& pose, Su
 
 btRigidBody& Lab::AddKinematic(btCollisionShape& shape, const btTransform& pose, Surface surface) {
   btRigidBody& body = AddStatic(shape, pose, surface);
-  body.setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+  body.setCollisionFlags(body.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
   return body;
 }
 
@@ -153,6 +185,11 @@ btTransform At(const btVector3& position, const btQuaternion& rotation) { return
 btQuaternion Yaw(double angle) { return {Vec(0, 0, 1), btScalar(angle)}; }
 
 btQuaternion FromZ(const btVector3& direction) { return shortestArcQuat(Vec(0, 0, 1), direction); }
+
+void SetRolling(btRigidBody& body, double radius, double speed, double heading) {
+  body.setLinearVelocity(Direction(heading) * btScalar(speed));
+  body.setAngularVelocity(Vec(0, 0, 1).cross(Direction(heading)) * btScalar(speed / radius));
+}
 
 double ExtentOf(const btConvexShape& shape, const btVector3& direction) {
   return double(shape.localGetSupportingVertex(direction).dot(direction));

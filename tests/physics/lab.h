@@ -3,6 +3,7 @@
 
 #include <btBulletDynamicsCommon.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -32,8 +33,23 @@ struct Surface {
 };
 
 /// Bodies that stand on end, on a flat face if they have one.
-enum class Form { kSphere, kBox, kHull, kCylinder, kCapsule };
+enum class Form {
+  kSphere,
+  kBox,
+  kHull,
+  kCylinder,
+  kCapsule,
+  kEqualSpheres,    ///< A rounded plate: the hull of spheres of one radius.
+  kUnequalSpheres,  ///< The same plate with a larger sphere on top.
+  kScaled,          ///< The hull by way of btUniformScalingShape.
+  kAppShape,        ///< Of a class of the app's own (truncated_pyramid.h).
+};
 std::string NameOf(Form form);
+
+/// Those that Bullet's narrowphase sees through their support function alone.
+inline constexpr std::array kSupportForms = {Form::kEqualSpheres, Form::kUnequalSpheres, Form::kScaled,
+                                             Form::kAppShape};
+inline bool IsSupportForm(Form form) { return std::ranges::find(kSupportForms, form) != kSupportForms.end(); }
 
 /// What bodies stand on: the plane z = 0, as each of Bullet's types.
 enum class Ground { kPlane, kBox, kMesh, kHeightfield };
@@ -55,6 +71,16 @@ class Lab {
   int StepsIn(double seconds) const { return static_cast<int>(std::ceil(seconds / dt_ - 1e-9)); }
   void Step() { world_.world().stepSimulation(btScalar(dt_), 0); }
   void Run(double seconds);
+  /// Runs while a kinematic body is moved by its pose, as apps do.
+  /// @param pose_at  btTransform(double time): at the end of each step.
+  template <class PoseAt>
+  void RunMoving(btRigidBody& kinematic, double seconds, const PoseAt& pose_at) {
+    const int steps = StepsIn(seconds);
+    for (int step = 1; step <= steps; ++step) {
+      kinematic.setWorldTransform(pose_at(step * dt_));
+      Step();
+    }
+  }
 
   template <class T, class... Arguments>
   T& Make(Arguments&&... arguments) {
@@ -67,7 +93,7 @@ class Lab {
 
   btRigidBody& AddBody(btCollisionShape& shape, double mass, const btTransform& pose, Surface surface = {});
   btRigidBody& AddStatic(btCollisionShape& shape, const btTransform& pose, Surface surface = {1, 1});
-  /// A body moved by the app.
+  /// A body moved by the app. Flagged as Bullet's manual does it, which leaves it flagged as static, too.
   btRigidBody& AddKinematic(btCollisionShape& shape, const btTransform& pose, Surface surface = {1, 1});
   /// Flat ground at z = 0 of the frame.
   btRigidBody& AddGround(Ground ground, const btTransform& frame = btTransform::getIdentity(), const Grid& grid = {},
@@ -88,6 +114,9 @@ btTransform At(const btVector3& position, const btQuaternion& rotation = btQuate
 btQuaternion Yaw(double angle);
 /// Carries z to a direction, by the shortest way.
 btQuaternion FromZ(const btVector3& direction);
+
+/// Gives a round body the velocity and the spin of one that rolls along a heading.
+void SetRolling(btRigidBody& body, double radius, double speed, double heading);
 
 /// How far a shape reaches along a direction of its own frame, margin included.
 double ExtentOf(const btConvexShape& shape, const btVector3& direction);
