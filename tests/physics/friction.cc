@@ -30,7 +30,10 @@ struct Block {
     return NameOf(form) + " " + Text(half) + " m on " + NameOf(ground) + ", mu " + Text(friction) + ", heading " +
            Text(heading);
   }
-  std::string Group() const { return form == Form::kBox && ground == Ground::kBox ? "boxes on boxes" : "others"; }
+  std::string Group() const {
+    if (IsSupportForm(form)) return NameOf(form);
+    return form == Form::kBox && ground == Ground::kBox ? "boxes on boxes" : "others";
+  }
 };
 
 /// Every combination of form and ground comes by; sizes, masses, friction and headings change along.
@@ -254,6 +257,13 @@ Samples MeasureIncline(const Conditions& conditions) {
     const Block held = i % 3 == 2 ? BoxOf(2 * i) : BlockOf(i), sliding = i % 3 == 1 ? BoxOf(2 * i) : BlockOf(i + 4);
     samples.push_back(MeasureHold(conditions, held, kShares[j % 3]));
     samples.push_back(MeasureDescent(conditions, sliding, kExcesses[(j + j / 3) % 3]));
+  }
+  for (const int i : SelectIndices(conditions, 24, 11)) {
+    const std::size_t j = static_cast<std::size_t>(i);
+    Block block = BlockOf(i + i / 12);
+    block.form = kSupportForms[j % 4];
+    samples.push_back(MeasureHold(conditions, block, kShares[(j + j / 3) % 3]));
+    samples.push_back(MeasureDescent(conditions, block, kExcesses[(j + j / 4) % 3]));
   }
   return samples;
 }
