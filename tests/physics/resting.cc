@@ -172,15 +172,15 @@ Samples MeasureStack(const Conditions& conditions, int count, double half, doubl
   lab.AddGround(ground, btTransform::getIdentity(), {}, Surface{.friction = 1, .restitution = 0});
   auto& shape = lab.Make<btBoxShape>(Vec(half, 0.9 * half, 0.8 * half));
   const btTransform frame = At(Vec(0.23, 0.31, 0), Yaw(HeadingOf(index)));
-  const btRigidBody* top = nullptr;
+  std::vector<const btRigidBody*> boxes;
   double mass = 1;
   for (int i = 0; i < count; ++i, mass *= mass_ratio) {
     const double height = (2 * i + 1) * 0.8 * half;
-    top = &lab.AddBody(shape, mass, frame * At(Vec(0, 0, height), Yaw(0.2 * i)));
+    boxes.push_back(&lab.AddBody(shape, mass, frame * At(Vec(0, 0, height), Yaw(0.2 * i))));
   }
-  const btVector3 start = PositionOf(*top);
+  const btVector3 start = PositionOf(*boxes.back());
   lab.Run(kDuration);
-  const btVector3 moved = (PositionOf(*top) - start) / btScalar(2 * count * 0.8 * half);
+  const btVector3 moved = (PositionOf(*boxes.back()) - start) / btScalar(2 * count * 0.8 * half);
   const std::string name =
       Text(count) + " boxes of " + Text(half) + " m, masses times " + Text(mass_ratio) + " on " + NameOf(ground);
   return {Sample{name + ": lower", -double(moved.z()), 0, 1, group},
@@ -193,6 +193,7 @@ struct Shot {
   double half, thickness;  // m
   double speed;            // m/s
   int index;
+  bool is_swept = false;  // Whether it is the plate that moves, by the app, and the body that is at rest.
 };
 
 bool GoesThrough(const Conditions& conditions, const Shot& shot, double phase) {
@@ -214,16 +215,38 @@ bool GoesThrough(const Conditions& conditions, const Shot& shot, double phase) {
   return double((frame.inverse() * PositionOf(body)).z()) < -shot.thickness / 2;
 }
 
+/// Whether the plate, which is to carry the body along, leaves it behind.
+bool SweepsPast(const Conditions& conditions, const Shot& shot, double phase) {
+  constexpr double kRange = 0.5, kWay = 1.5;  // m
+  Lab lab(conditions, 0);
+  const btTransform frame = At(Vec(0, 0, 0), btQuaternion(Vec(0.64, 0.6, 0.48), btScalar(0.4 + shot.index)));
+  btConvexShape& shape = lab.MakeForm(shot.form, shot.half);
+  const double start = -FootOf(shape) - kRange - phase * shot.speed * lab.dt();
+  const auto top_at = [&](double time) { return start + shot.speed * time; };
+  const auto pose_at = [&](double time) { return frame * At(Vec(0, 0, top_at(time) - shot.thickness / 2)); };
+  btRigidBody& plate = lab.AddKinematic(lab.Make<btBoxShape>(Vec(2, 2, shot.thickness / 2)), pose_at(0), Surface{1, 0});
+  btRigidBody& body = lab.AddBody(shape, 1, frame * At(Vec(0.13, 0.21, 0)));
+  const double duration = kWay / shot.speed;
+  lab.RunMoving(plate, duration, pose_at);
+  const double top = top_at(lab.StepsIn(duration) * lab.dt());
+  return double((frame.inverse() * PositionOf(body)).z()) < top;
+}
+
 /// Share of shots that go through, at moments spread over a step.
 Sample MeasureTunnel(const Conditions& conditions, const Shot& shot) {
   const int count = conditions.is_quick ? 4 : 8;
   int through = 0;
   for (int i = 0; i < count; ++i) {
-    if (GoesThrough(conditions, shot, (i + PhaseOf(shot.index)) / count)) ++through;
+    const double phase = (i + PhaseOf(shot.index)) / count;
+    if (shot.is_swept ? SweepsPast(conditions, shot, phase) : GoesThrough(conditions, shot, phase)) ++through;
   }
   const std::string plate = shot.plate == Ground::kBox ? "plate of " + Text(shot.thickness) + " m" : NameOf(shot.plate);
-  return {NameOf(shot.form) + " " + Text(shot.half) + " m at " + Text(shot.speed) + " m/s through " + plate,
-          through / double(count), 0, 1, shot.plate == Ground::kBox ? "plates" : "meshes"};
+  return {NameOf(shot.form) + " " + Text(shot.half) + " m at " + Text(shot.speed) + " m/s through " +
+              (shot.is_swept ? "swept " : "") + plate,
+          through / double(count), 0, 1,
+          shot.is_swept                ? "swept plates"
+          : shot.plate == Ground::kBox ? "plates"
+                                       : "meshes"};
 }
 
 std::vector<Shot> Shots() {
@@ -241,6 +264,20 @@ std::vector<Shot> Shots() {
   return shots;
 }
 
+/// Plates as fast as apps move things.
+std::vector<Shot> SweptShots() {
+  constexpr std::array<double, 3> kSpeeds = {4, 8, 20};  // m/s
+  std::vector<Shot> shots;
+  for (Shot shot : Shots()) {
+    if (shot.index % 2 != 0) continue;
+    shot.plate = Ground::kBox;
+    shot.is_swept = true;
+    shot.speed = kSpeeds[static_cast<std::size_t>(shot.index / 2) % kSpeeds.size()];
+    shots.push_back(shot);
+  }
+  return shots;
+}
+
 }  // namespace
 
 Samples MeasureDropDead(const Conditions& conditions) {
@@ -254,6 +291,11 @@ Samples MeasureRest(const Conditions& conditions) {
   for (const int i : SelectIndices(conditions, 48, 11)) {
     const Drop drop = DropOf(i);
     if (drop.form != Form::kSphere) samples.push_back(MeasureRest(conditions, drop));
+  }
+  for (const int i : SelectIndices(conditions, 32, 11)) {
+    Drop drop = DropOf(i);
+    drop.form = kSupportForms[static_cast<std::size_t>(i) % 4];
+    samples.push_back(MeasureRest(conditions, drop));
   }
   return samples;
 }
@@ -288,8 +330,10 @@ Samples MeasureStack(const Conditions& conditions) {
 }
 
 Samples MeasureTunnel(const Conditions& conditions) {
-  return MeasureCases(conditions, Shots(), 7,
-                      [](const Conditions& under, const Shot& it) { return MeasureTunnel(under, it); });
+  const auto measure = [](const Conditions& under, const Shot& it) { return MeasureTunnel(under, it); };
+  Samples samples = MeasureCases(conditions, Shots(), 7, measure);
+  AddTo(samples, MeasureCases(conditions, SweptShots(), 7, measure));
+  return samples;
 }
 
 }  // namespace dgd_physics
