@@ -11,16 +11,21 @@ namespace {
 constexpr double kSettleTime = 0.5;  // s
 
 struct Ride {
-  double speed;     // m/s
-  double distance;  // m, shorter if that takes longer than kLongestRide.
-  double heading;   // rad
+  double speed;            // m/s
+  double distance;         // m, shorter if that takes longer than kLongestRide.
+  double heading;          // rad
+  double roll_radius = 0;  // Of a body that rolls, m; 0 if it slides.
 };
 constexpr double kLongestRide = 4;  // s
 
 /// Velocity along the heading after the ride, over that before.
 double SpeedKept(Lab& lab, btRigidBody& body, const Ride& ride) {
   lab.Run(kSettleTime);
-  body.setLinearVelocity(Direction(ride.heading) * btScalar(ride.speed));
+  if (ride.roll_radius > 0) {
+    SetRolling(body, ride.roll_radius, ride.speed, ride.heading);
+  } else {
+    body.setLinearVelocity(Direction(ride.heading) * btScalar(ride.speed));
+  }
   lab.Run(std::min(kLongestRide, ride.distance / ride.speed));
   return Along(body.getLinearVelocity(), ride.heading) / ride.speed;
 }
@@ -28,10 +33,12 @@ double SpeedKept(Lab& lab, btRigidBody& body, const Ride& ride) {
 struct BoxSeams {
   double tile;       // Side of a tile, m.
   double thickness;  // m
-  double half;       // Of the box that slides, m.
+  double half;       // Of the box that slides, or the radius of what rolls, m.
   double margin;     // m
   Ride ride;
   int index;
+  Form form = Form::kBox;    // Boxes slide; balls, and capsules that lie across their way, roll.
+  bool is_compound = false;  // Whether the tiles are children of one body.
 };
 
 std::vector<BoxSeams> BoxSeamsCases() {
@@ -54,8 +61,26 @@ std::vector<BoxSeams> BoxSeamsCases() {
   return cases;
 }
 
-/// As many tiles as the box comes by.
+std::vector<BoxSeams> RollingSeamsCases() {
+  constexpr std::array<double, 4> kSpeeds = {0.7, 3, 1.5, 6};          // m/s
+  constexpr std::array<double, 5> kHeadings = {0, 0.4, 0.02, 1.1, 0};  // Along seams, and across.
+  constexpr std::array<double, 3> kRadii = {0.15, 0.06, 0.3};          // m
+  constexpr std::array<double, 3> kTiles = {0.6, 2, 1};                // m
+  std::vector<BoxSeams> cases;
+  for (int i = 0; i < 24; ++i) {
+    const std::size_t j = static_cast<std::size_t>(i);
+    const double radius = kRadii[(j + j / 3) % 3], speed = kSpeeds[(j + j / 4) % 4] * (1 + 0.02 * PhaseOf(i));
+    const Ride ride = {speed, 12, kHeadings[j % 5], radius};
+    cases.push_back(
+        {kTiles[j % 3], 0.5, radius, 0.04, ride, i, i % 3 == 2 ? Form::kCapsule : Form::kSphere, i / 2 % 2 == 1});
+  }
+  return cases;
+}
+
+/// As many tiles as the body comes by.
 void AddTiles(Lab& lab, const BoxSeams& it, double distance) {
+  constexpr Surface kTile = {.friction = 1, .restitution = 0};
+  btCompoundShape* compound = it.is_compound ? &lab.Make<btCompoundShape>() : nullptr;
   auto& tile = lab.Make<btBoxShape>(Vec(it.tile / 2, it.tile / 2, it.thickness / 2));
   tile.setMargin(btScalar(it.margin));
   const int along = static_cast<int>(distance / it.tile) + 3;
@@ -65,24 +90,38 @@ void AddTiles(Lab& lab, const BoxSeams& it, double distance) {
       // The way from the origin along the heading, with what the box and the tile reach beside it.
       const double beside = std::abs(y * std::cos(it.ride.heading) - x * std::sin(it.ride.heading));
       if (beside > 1.5 * it.half + 1.5 * it.tile) continue;
-      lab.AddStatic(tile, At(Vec(x, y, -it.thickness / 2)), Surface{.friction = 0, .restitution = 0});
+      const btTransform pose = At(Vec(x, y, -it.thickness / 2));
+      if (compound == nullptr) {
+        lab.AddStatic(tile, pose, kTile);
+      } else {
+        compound->addChildShape(pose, &tile);
+      }
     }
   }
+  if (compound != nullptr) lab.AddStatic(*compound, btTransform::getIdentity(), kTile);
+}
+
+btConvexShape& MakeRider(Lab& lab, const BoxSeams& it) {
+  if (it.form == Form::kSphere) return lab.Make<btSphereShape>(btScalar(it.half));
+  if (it.form == Form::kCapsule) return lab.Make<btCapsuleShape>(btScalar(it.half), btScalar(3 * it.half));
+  auto& box = lab.Make<btBoxShape>(Vec(it.half, it.half, it.half));
+  box.setMargin(btScalar(it.margin));
+  return box;
 }
 
 Sample MeasureBoxSeams(const Conditions& conditions, const BoxSeams& it) {
   Lab lab(conditions);
   AddTiles(lab, it, std::min(kLongestRide * it.ride.speed, it.ride.distance));
-  auto& shape = lab.Make<btBoxShape>(Vec(it.half, it.half, it.half));
-  shape.setMargin(btScalar(it.margin));
+  const bool rolls = it.form != Form::kBox;
   // Aligned with the seams, or with its way.
   const btTransform pose =
-      At(Vec(0.1 + 0.3 * PhaseOf(it.index), 0.2, it.half), Yaw(it.index % 2 == 0 ? 0 : it.ride.heading));
-  btRigidBody& body = lab.AddBody(shape, 1, pose, Surface{.friction = 0});
+      At(Vec(0.1 + 0.3 * PhaseOf(it.index), 0.2, it.half), Yaw(it.index % 2 == 0 && !rolls ? 0 : it.ride.heading));
+  btRigidBody& body = lab.AddBody(MakeRider(lab, it), 1, pose, Surface{.friction = rolls ? 0.5 : 0});
   const double kept = SpeedKept(lab, body, it.ride);
-  return RelativeToTheory("box " + Text(it.half) + " m over boxes of " + Text(it.tile) + " m, margin " +
+  return RelativeToTheory(NameOf(it.form) + " " + Text(it.half) + " m over " +
+                              (it.is_compound ? "a compound of " : "") + "boxes of " + Text(it.tile) + " m, margin " +
                               Text(it.margin) + ", " + Text(it.ride.speed) + " m/s, heading " + Text(it.ride.heading),
-                          kept, 1);
+                          kept, 1, rolls ? "rolling" : "sliding");
 }
 
 struct MeshSeams {
@@ -134,8 +173,10 @@ Sample MeasureMeshSeams(const Conditions& conditions, const MeshSeams& it) {
 }  // namespace
 
 Samples MeasureBoxSeams(const Conditions& conditions) {
-  return MeasureCases(conditions, BoxSeamsCases(), 7,
-                      [](const Conditions& under, const BoxSeams& it) { return MeasureBoxSeams(under, it); });
+  const auto measure = [](const Conditions& under, const BoxSeams& it) { return MeasureBoxSeams(under, it); };
+  Samples samples = MeasureCases(conditions, BoxSeamsCases(), 7, measure);
+  AddTo(samples, MeasureCases(conditions, RollingSeamsCases(), 7, measure));
+  return samples;
 }
 
 Samples MeasureMeshSeams(const Conditions& conditions) {
