@@ -1,5 +1,6 @@
 #include "physics/near_miss.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -44,11 +45,10 @@ Sample MeasureNearRod(const Conditions& conditions, const NearRod& it) {
                           double(body.getAngularVelocity().z()) / it.spin, 1);
 }
 
-/// How much a free flight was disturbed: change of the velocity, and of the spin at the rim, over the speed.
+/// How much a free flight was disturbed: change of the velocity, and of the spin at the rim.
 double DisturbanceOf(const btRigidBody& body, const btVector3& velocity, const btVector3& spin, double half) {
-  const double change = double((body.getLinearVelocity() - velocity).length2()) +
-                        half * half * double((body.getAngularVelocity() - spin).length2());
-  return std::sqrt(change / double(velocity.length2()));
+  return std::hypot(double((body.getLinearVelocity() - velocity).length()),
+                    half * double((body.getAngularVelocity() - spin).length()));
 }
 
 struct Graze {
@@ -97,10 +97,108 @@ Sample MeasureGraze(const Conditions& conditions, const Graze& it) {
   const double passed_speed = double(passed.getLinearVelocity().length()) / it.speed;
   return {NameOf(it.form) + " " + Text(it.half) + " m, " + Text(it.clearance) + " m clear, " + Text(it.speed) +
               " m/s, " + Text(it.spin) + " rad/s" + (it.is_free ? ", past a free box" : ""),
-          std::hypot(DisturbanceOf(body, velocity, spin, it.half), passed_speed),
-          0,
-          1,
-          {}};
+          std::hypot(DisturbanceOf(body, velocity, spin, it.half) / it.speed, passed_speed), 0, 1, "flying bodies"};
+}
+
+struct PassingSlab {
+  Form form;         // Of the body at rest.
+  double half;       // m
+  double clearance;  // m
+  double speed;      // m/s
+  int index;
+};
+
+std::vector<PassingSlab> PassingSlabCases() {
+  constexpr std::array kForms = {Form::kBox, Form::kHull, Form::kSphere, Form::kCylinder};
+  constexpr std::array<double, 3> kClearances = {0.003, 0.001, 0.008};
+  constexpr std::array<double, 5> kSpeeds = {1, 4, 0.6, 8, 2.5};
+  constexpr std::array<double, 3> kHalves = {0.15, 0.3, 0.08};
+  std::vector<PassingSlab> cases;
+  for (int i = 0; i < 36; ++i) {
+    const std::size_t j = static_cast<std::size_t>(i);
+    cases.push_back({kForms[j % 4], kHalves[j / 2 % 3], kClearances[(j + j / 3) % 3], kSpeeds[j % 5], i});
+  }
+  return cases;
+}
+
+/// A slab that the app moves passes straight over a free body at rest, face along face.
+Sample MeasurePassingSlab(const Conditions& conditions, const PassingSlab& it) {
+  Lab lab(conditions, 0);
+  const btQuaternion turn(Vec(0.48, 0.64, 0.6), btScalar(0.6 * (it.index % 4)));
+  const btTransform frame = At(Vec(0, 0, 0), turn);
+  btConvexShape& shape = lab.MakeForm(it.form, it.half);
+  btRigidBody& body = lab.AddBody(shape, 1, frame * At(Vec(0, 0, 0), Yaw(0.9 * it.index)), Surface{.friction = 0.5});
+  const btVector3 half_slab = Vec(2, 4, 1.5) * btScalar(it.half);
+  const double height = ExtentOf(shape, Vec(0, 0, 1)) + it.clearance + double(half_slab.z());
+  const double distance = 7 * it.half + it.speed * lab.dt() * PhaseOf(it.index);
+  const double heading = HeadingOf(it.index);
+  const auto pose_at = [&](double time) {
+    // Its front across its way, or not quite.
+    return frame * At(Direction(heading) * btScalar(it.speed * time - distance) + Vec(0, 0, height),
+                      Yaw(heading + 0.2 * (it.index % 3)));
+  };
+  btRigidBody& slab = lab.AddKinematic(lab.Make<btBoxShape>(half_slab), pose_at(0), Surface{.friction = 0.5});
+  lab.RunMoving(slab, 2 * distance / it.speed, pose_at);
+  return {NameOf(it.form) + " " + Text(it.half) + " m, " + Text(it.clearance) + " m below a slab at " + Text(it.speed) +
+              " m/s",
+          DisturbanceOf(body, Vec(0, 0, 0), Vec(0, 0, 0), it.half) / it.speed, 0, 1, "moved slabs"};
+}
+
+struct Tumble {
+  Form form;
+  Ground ground;
+  double half;         // m
+  double clearance;    // m
+  double spin;         // rad/s
+  double restitution;  // Of both bodies together.
+  double drift;        // Along the ground, m/s.
+  int index;
+};
+
+std::vector<Tumble> TumbleCases() {
+  constexpr std::array kForms = {Form::kBox, Form::kHull, Form::kCylinder, Form::kCapsule};
+  constexpr std::array kGrounds = {Ground::kBox, Ground::kPlane, Ground::kMesh};
+  constexpr std::array<double, 4> kClearances = {0.003, 0.001, 0.01, 0.005};
+  constexpr std::array<double, 5> kSpins = {8, 15, 4, 22, 10};
+  constexpr std::array<double, 3> kHalves = {0.25, 0.12, 0.4};
+  std::vector<Tumble> cases;
+  for (int i = 0; i < 72; ++i) {
+    const std::size_t j = static_cast<std::size_t>(i);
+    cases.push_back({kForms[j % 4], kGrounds[(j + j / 12) % 3], kHalves[j / 4 % 3], kClearances[(j + j / 4) % 4],
+                     kSpins[j % 5], i / 2 % 2 == 0 ? 0 : 0.8, i % 5 == 4 ? 0.4 : 0, i});
+  }
+  return cases;
+}
+
+/// Radius of the circle about x that a shape just turns within.
+double TumblingRadius(const btConvexShape& shape) {
+  constexpr int kDirections = 3600;
+  double radius = 0;
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = 2 * kPi * i / kDirections;
+    radius = std::max(radius, ExtentOf(shape, Vec(0, std::cos(angle), std::sin(angle))));
+  }
+  return radius;
+}
+
+/// A body turns about an axis of its own, which is level, over ground that its corners come near to and never touch.
+Sample MeasureTumble(const Conditions& conditions, const Tumble& it) {
+  constexpr double kDuration = 1;  // s
+  Lab lab(conditions, 0);
+  lab.AddGround(it.ground, btTransform::getIdentity(), {}, Surface{.friction = 1, .restitution = it.restitution});
+  btConvexShape& shape = lab.MakeForm(it.form, it.half);
+  const double radius = TumblingRadius(shape), heading = HeadingOf(it.index);
+  const btQuaternion start = Yaw(heading) * btQuaternion(Vec(1, 0, 0), btScalar(2 * PhaseOf(it.index)));
+  btRigidBody& body = lab.AddBody(shape, 1, At(Vec(0.13, 0.21, radius + it.clearance), start),
+                                  Surface{.friction = 0.5, .restitution = 1});
+  const btVector3 spin = Direction(heading) * btScalar(it.spin), drift = Direction(heading + 1) * btScalar(it.drift);
+  body.setLinearVelocity(drift);
+  body.setAngularVelocity(spin);
+  lab.Run(kDuration);
+  const std::string name = NameOf(it.form) + " " + Text(it.half) + " m over " + NameOf(it.ground) + ", " +
+                           Text(it.clearance) + " m clear, " + Text(it.spin) + " rad/s, drift " + Text(it.drift) +
+                           ", e " + Text(it.restitution);
+  return {name, DisturbanceOf(body, drift, spin, radius) / (radius * it.spin), 0, 1, NameOf(it.ground)};
 }
 
 struct PastEdge {
@@ -153,7 +251,7 @@ Sample MeasurePastEdge(const Conditions& conditions, const PastEdge& it) {
   lab.Run((start + kRange) / it.speed);
   return {NameOf(it.form) + " " + Text(it.half) + " m past " + NameOf(it.obstacle) + ", " + Text(it.clearance) +
               " m clear, " + Text(it.speed) + " m/s, slope " + Text(it.slope),
-          DisturbanceOf(body, velocity, Vec(0, 0, 0), it.half),
+          DisturbanceOf(body, velocity, Vec(0, 0, 0), it.half) / it.speed,
           0,
           1,
           {}};
@@ -162,8 +260,17 @@ Sample MeasurePastEdge(const Conditions& conditions, const PastEdge& it) {
 }  // namespace
 
 Samples MeasureGraze(const Conditions& conditions) {
-  return MeasureCases(conditions, GrazeCases(), 7,
-                      [](const Conditions& under, const Graze& it) { return MeasureGraze(under, it); });
+  Samples samples = MeasureCases(conditions, GrazeCases(), 7,
+                                 [](const Conditions& under, const Graze& it) { return MeasureGraze(under, it); });
+  AddTo(samples, MeasureCases(conditions, PassingSlabCases(), 7, [](const Conditions& under, const PassingSlab& it) {
+          return MeasurePassingSlab(under, it);
+        }));
+  return samples;
+}
+
+Samples MeasureTumble(const Conditions& conditions) {
+  return MeasureCases(conditions, TumbleCases(), 11,
+                      [](const Conditions& under, const Tumble& it) { return MeasureTumble(under, it); });
 }
 
 Samples MeasurePastEdge(const Conditions& conditions) {

@@ -7,6 +7,7 @@ namespace dgd_physics {
 
 Samples MeasureNearRod(const Conditions& conditions);
 Samples MeasureGraze(const Conditions& conditions);
+Samples MeasureTumble(const Conditions& conditions);
 Samples MeasurePastEdge(const Conditions& conditions);
 
 }  // namespace dgd_physics

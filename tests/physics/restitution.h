@@ -10,5 +10,6 @@ Samples MeasureGas(const Conditions& conditions);
 Samples MeasureBounce(const Conditions& conditions);
 Samples MeasureObliqueBounce(const Conditions& conditions);
 Samples MeasureCradle(const Conditions& conditions);
+Samples MeasureBat(const Conditions& conditions);
 
 }  // namespace dgd_physics
