@@ -109,6 +109,7 @@ void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* bod
   }
   manifold_.ShowTo(*output);
   Answer(body_0, body_1, info, *output);
+  if (had_contact_) DrawContacts(*manifold_, info.m_debugDraw);
   if (may_give_back && !had_contact_ && manifold_.IsEmpty()) {
     manifold_.GiveBack(*m_dispatcher);
     manifold_.ShowTo(*output);
@@ -262,7 +263,6 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObj
   };
   PairContacts contacts;
   if (const auto failure = SolveContacts(*body_0, *body_1, prepare, contacts)) return failure;
-  if (WantsContacts(info.m_debugDraw)) DrawContacts(contacts.patch, contacts.result, *info.m_debugDraw);
   if (had_contact_ && !manifold_) {
     had_contact_ = HasManifold(*body_0, *body_1);
     if (!had_contact_) return Fallback::kNoMemory;
@@ -287,7 +287,7 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindTriangleContacts(const btColl
   const PairMotion& motion = is_swapped ? triangle_query.reverse_motion : triangle_query.motion;
   const auto get_motion = [&](const BodyReach&, const BodyReach&) -> const PairMotion& { return motion; };
   const double contact_distance = std::max(triangle_query.range.touching, 0.0);
-  if (!triangle_query.is_drawn && StaysApartBy(convex, triangle, contact_distance, get_motion)) return std::nullopt;
+  if (StaysApartBy(convex, triangle, contact_distance, get_motion)) return std::nullopt;
   const auto prepare = [&](Query& query, bool) {
     query.motion = motion;
     query.range = triangle_query.range;
@@ -412,8 +412,8 @@ ConvexConvexAlgorithm::ContactKind ConvexConvexAlgorithm::ClassifySpeculative(Qu
 
 bool ConvexConvexAlgorithm::StaysAtRest(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
                                         const btDispatcherInfo& info, btManifoldResult& output) {
-  // For an app's own query each contact is found again, and for a debug drawer.
-  if (!is_resting_ || WantsContacts(info.m_debugDraw) || IsAskedByApp(output)) return false;
+  // For an app's own query each contact is found again.
+  if (!is_resting_ || IsAskedByApp(output)) return false;
   const btCollisionObjectWrapper &body_a = was_swapped_ ? body_1 : body_0, &body_b = was_swapped_ ? body_0 : body_1;
   const double anchor_time_step = narrowphase_.options().friction_anchors ? double(info.m_timeStep) : 0;
   if (!KeepContacts(*resting_, body_a, body_b, hull_0_, hull_1_, anchor_time_step, *manifold_, output)) return false;
@@ -426,7 +426,6 @@ bool ConvexConvexAlgorithm::StaysAtRest(const btCollisionObjectWrapper& body_0, 
 
 bool ConvexConvexAlgorithm::StaysApart(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
                                        const btDispatcherInfo& info, const btManifoldResult& output) {
-  if (WantsContacts(info.m_debugDraw)) return false;
   const Options& options = narrowphase_.options();
   const double contact_distance = ContactDistance(options, manifold_.BreakingThreshold(), output);
   const auto get_motion = [&](const BodyReach& reach_a, const BodyReach& reach_b) {

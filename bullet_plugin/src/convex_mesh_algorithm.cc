@@ -207,16 +207,6 @@ class TriangleVisit final : public btTriangleCallback {
   btVector3 low_, high_, middle_;  // Of the convex body's bounding box, in the mesh's frame.
 };
 
-void Draw(const MeshContact& contact, btIDebugDraw& drawer) {
-  dgd::ContactPatch<double> patch;
-  patch.size = 1;
-  patch.points[0] = {contact.OnA(), contact.on_b, contact.separation};
-  dgd::Result<double> result;
-  result.normal = -contact.normal_on_b;
-  result.separation = contact.separation;
-  DrawContacts(patch, result, drawer);
-}
-
 }  // namespace
 
 ConvexMeshAlgorithm::ConvexMeshAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
@@ -268,8 +258,7 @@ bool ConvexMeshAlgorithm::FindContacts(const btCollisionObjectWrapper& convex, c
                             .patch_settings = PatchSettingsOf(options, shared, range, is_asked),
                             .angular_tolerance = options.angular_tolerance,
                             .flush = FlushOverlap(shared.BreakingThreshold()),
-                            .is_asked = is_asked,
-                            .is_drawn = WantsContacts(info.m_debugDraw)};
+                            .is_asked = is_asked};
   TriangleVisit visit(convex, mesh, info, query, *m_dispatcher, *step_, output);
   visit.Gather();
   step_->pairs.EndStep();
@@ -289,13 +278,13 @@ void ConvexMeshAlgorithm::Write(const TriangleQuery& query, bool has_foreign, co
     const MeshContact& contact = reduced.contacts[static_cast<std::size_t>(i)];
     chosen[static_cast<std::size_t>(i)] = {ToBullet(contact.normal_on_b), ToBullet(contact.on_b),
                                            btScalar(contact.separation), &step_->contacts.triangle(contact.triangle)};
-    if (query.is_drawn) Draw(contact, *info.m_debugDraw);
   }
   const Options& options = narrowphase_.options();
   // Points of an app's own algorithm cannot be known from ours: none are dropped then.
   ManifoldUpdate update = ManifoldUpdateOf(options, output);
   update.drop_stale = update.drop_stale && !has_foreign;
   UpdateManifold({chosen.data(), static_cast<std::size_t>(reduced.size)}, query.motion, update, output);
+  DrawContacts(*manifold_, info.m_debugDraw);
 }
 
 }  // namespace dgd_bullet

@@ -103,9 +103,12 @@ void ConvexPlaneAlgorithm::processCollision(const btCollisionObjectWrapper* body
   std::optional<Fallback> failure = Fallback::kNoMemory;
   if (manifold_.Provide(*m_dispatcher, *convex.getCollisionObject(), *plane.getCollisionObject())) {
     manifold_.ShowTo(*output);
-    if (StaysAtRest(convex, plane, info, *output)) return;
-    is_resting_ = false;
-    failure = FindContacts(convex, plane, info, *output);
+    failure.reset();
+    if (!StaysAtRest(convex, plane, info, *output)) {
+      is_resting_ = false;
+      failure = FindContacts(convex, plane, info, *output);
+    }
+    DrawContacts(*manifold_, info.m_debugDraw);
   }
   if (!failure) return;
   narrowphase_.CountFallback(*convex.getCollisionShape(), *plane.getCollisionShape(), *failure);
@@ -149,7 +152,6 @@ std::optional<Fallback> ConvexPlaneAlgorithm::FindContacts(const btCollisionObje
   }
   outcome.patch_size = patch.size;
   Count(outcome, convex);
-  if (WantsContacts(info.m_debugDraw)) DrawContacts(patch, result, *info.m_debugDraw);
   WriteContacts(patch, result.normal, motion, options, manifold_, output);
   RememberRest(convex, plane, motion);
   return std::nullopt;
@@ -177,7 +179,7 @@ void ConvexPlaneAlgorithm::RememberRest(const btCollisionObjectWrapper& convex, 
 bool ConvexPlaneAlgorithm::StaysAtRest(const btCollisionObjectWrapper& convex, const btCollisionObjectWrapper& plane,
                                        const btDispatcherInfo& info, btManifoldResult& output) {
   // As with two convex shapes.
-  if (!is_resting_ || WantsContacts(info.m_debugDraw) || IsAskedByApp(output)) return false;
+  if (!is_resting_ || IsAskedByApp(output)) return false;
   const double anchor_time_step = narrowphase_.options().friction_anchors ? double(info.m_timeStep) : 0;
   if (!KeepContacts(*resting_, convex, plane, hull_, nullptr, anchor_time_step, *manifold_, output)) return false;
   Count({.way = PairOutcome::Way::kResting, .patch_size = manifold_->getNumContacts()}, convex);

@@ -16,7 +16,6 @@ struct TriangleQuery {
   double angular_tolerance;  ///< Radians: Options::angular_tolerance.
   double flush;              ///< Metres: FlushOverlap().
   bool is_asked;             ///< By an app, for the contacts themselves.
-  bool is_drawn;             ///< By a debug drawer, which wants to see contacts that have just been found.
 };
 
 /// Contacts where the body is over the triangle now, or when its motion brings it to the triangle's plane; none
