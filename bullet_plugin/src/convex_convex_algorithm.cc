@@ -15,6 +15,7 @@
 #include "contact_distance.h"
 #include "contact_drawer.h"
 #include "dgd_bullet/recorder.h"
+#include "just_touching.h"
 #include "manifold_writer.h"
 #include "pair_apart.h"
 #include "pair_contacts.h"
@@ -100,6 +101,7 @@ void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* bod
                                              btManifoldResult* output) {
   PrefetchNext(*body_0, *body_1);
   if (Recorder* recorder = narrowphase_.options().recorder) recorder->Add(*body_0, *body_1);
+  if (manifold_.IsOwn() && manifold_) ForgetTouching(*manifold_);
   const bool can_do_without = CanDoWithoutManifold(*body_0, *body_1, *output);
   // Not in the step that ends the contact: most likely such bodies touch again. Nor in the one that made the manifold,
   // which btCollisionDispatcherMt has not listed yet.

@@ -18,6 +18,7 @@
 #include "contact_drawer.h"
 #include "contact_reduction.h"
 #include "convex_convex_algorithm.h"
+#include "just_touching.h"
 #include "manifold_writer.h"
 #include "mesh_contacts.h"
 #include "mesh_triangle.h"
@@ -227,6 +228,7 @@ void ConvexMeshAlgorithm::processCollision(const btCollisionObjectWrapper* body_
                                            btManifoldResult* output) {
   const bool is_swapped = body_0->getCollisionShape()->isConcave();
   const btCollisionObjectWrapper &convex = is_swapped ? *body_1 : *body_0, &mesh = is_swapped ? *body_0 : *body_1;
+  if (manifold_ != nullptr) ForgetTouching(*manifold_);
   // A body's shape may have been exchanged for one of another type.
   const bool are_ours =
       Narrowphase::HandlesMesh(convex.getCollisionShape()->getShapeType(), mesh.getCollisionShape()->getShapeType());

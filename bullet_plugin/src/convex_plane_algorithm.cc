@@ -18,6 +18,7 @@
 #include "contact_distance.h"
 #include "contact_drawer.h"
 #include "dgd/half_space_patch.h"
+#include "just_touching.h"
 #include "pair_contacts.h"
 #include "pair_motion.h"
 #include "pair_patch.h"
@@ -103,6 +104,7 @@ void ConvexPlaneAlgorithm::processCollision(const btCollisionObjectWrapper* body
   std::optional<Fallback> failure = Fallback::kNoMemory;
   if (manifold_.Provide(*m_dispatcher, *convex.getCollisionObject(), *plane.getCollisionObject())) {
     manifold_.ShowTo(*output);
+    if (manifold_.IsOwn()) ForgetTouching(*manifold_);
     failure.reset();
     if (!StaysAtRest(convex, plane, info, *output)) {
       is_resting_ = false;

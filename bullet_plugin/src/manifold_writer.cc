@@ -331,13 +331,15 @@ void UpdateManifold(const dgd::ContactPatch<double>& patch, const Vector3& norma
 
 void UpdateManifold(std::span<const ManifoldContact> contacts, const PairMotion& motion, const ManifoldUpdate& update,
                     btManifoldResult& output) {
+  btPersistentManifold& manifold = *output.getPersistentManifold();
+  const bool was_loaded = IsLoaded(manifold);
   if (update.drop_stale && !HasOwnWay(output) && AreSomewhere(contacts) && AreBodiesSomewhere(output)) {
     WriteInPlace(contacts, update.hold_stuck ? btScalar(motion.TimeStep()) : 0, output);
   } else {
     WriteThroughBullet(contacts, update.drop_stale, output);
   }
-  btPersistentManifold& manifold = *output.getPersistentManifold();
   for (int i = 0; i < manifold.getNumContacts(); ++i) PrepareRebound(manifold.getContactPoint(i), motion);
+  ShowTouching(manifold, was_loaded, motion);
   OrderForSolver(manifold);
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "contact_distance.h"
+#include "just_touching.h"
 #include "shape_adapter.h"
 
 namespace dgd_bullet {
@@ -19,15 +20,6 @@ constexpr double kEqualDepth = 1e-3, kNoDepth = 1e-10;
 
 /// Of the breaking threshold: bodies at rest tremble by less.
 constexpr double kTouching = 1e-3;
-
-/// Whether the pair's points carried anything in the last step.
-bool IsLoaded(const PairManifold& manifold) {
-  if (manifold.IsEmpty()) return false;
-  for (int i = 0; i < manifold->getNumContacts(); ++i) {
-    if (manifold->getContactPoint(i).m_appliedImpulse > 0) return true;
-  }
-  return false;
-}
 
 bool Rebounds(const btManifoldResult& output) {
   return gCalculateCombinedRestitutionCallback(output.getBody0Internal(), output.getBody1Internal()) > 0;
@@ -57,7 +49,8 @@ ContactRange RangeOfContacts(const Options& options, const PairManifold& manifol
   if (is_rebound) {
     // Bodies that only touch must not share an impact that one of them is about to take: it passes on from each to the
     // next.
-    touching = (IsLoaded(manifold) ? 1 : -1) * kTouching * breaking_threshold;
+    const bool is_loaded = !manifold.IsEmpty() && IsLoaded(*manifold);
+    touching = (is_loaded ? 1 : -1) * kTouching * breaking_threshold;
   }
   const double limit =
       options.speculative_contacts ? std::numeric_limits<double>::infinity() : std::max(touching, breaking_threshold);

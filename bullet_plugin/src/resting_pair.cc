@@ -13,6 +13,7 @@
 
 #include "contact_materials.h"
 #include "friction_anchors.h"
+#include "just_touching.h"
 #include "manifold_writer.h"
 #include "pair_motion.h"
 #include "shape_adapter.h"
@@ -132,13 +133,17 @@ struct Slope {
 Slope SlopeUnder(const btPersistentManifold& manifold) {
   const int contacts = manifold.getNumContacts();
   if (contacts < 2) return {};
+  // A point's own distance may be that of one shown as touching.
+  const auto gap_of = [](const btManifoldPoint& point) {
+    return (point.m_positionWorldOnA - point.m_positionWorldOnB).dot(point.m_normalWorldOnB);
+  };
   const btManifoldPoint &first = manifold.getContactPoint(0), &second = manifold.getContactPoint(1);
   const btVector3 to_second = second.m_positionWorldOnB - first.m_positionWorldOnB;
-  const btScalar rise_2 = second.getDistance() - first.getDistance();
+  const btScalar rise_2 = gap_of(second) - gap_of(first);
   if (contacts == 2) return {std::abs(double(rise_2)), double(to_second.length())};
   const btManifoldPoint& third = manifold.getContactPoint(2);
   const btVector3 to_third = third.m_positionWorldOnB - first.m_positionWorldOnB;
-  const btScalar rise_3 = third.getDistance() - first.getDistance();
+  const btScalar rise_3 = gap_of(third) - gap_of(first);
   return {double((rise_2 * to_third - rise_3 * to_second).length()), double(to_second.cross(to_third).length())};
 }
 
@@ -276,6 +281,7 @@ bool KeepContacts(RestingPair& resting, const btCollisionObjectWrapper& body_a, 
   const RestingPair::Since since = resting.Compare(body_a, body_b, manifold, hull_a, hull_b);
   if (since == RestingPair::Since::kChanged) return false;
   if (since == RestingPair::Since::kMovedTogether) resting.Follow(body_a, body_b, manifold);
+  const bool was_loaded = IsLoaded(manifold);
   const ContactMaterials materials(*output.getBody0Internal(), *output.getBody1Internal());
   for (int i = 0; i < manifold.getNumContacts(); ++i) materials.ApplyTo(manifold.getContactPoint(i));
   if (anchor_time_step > 0 && manifold.getNumContacts() >= kFewestAnchors) {
@@ -285,6 +291,7 @@ bool KeepContacts(RestingPair& resting, const btCollisionObjectWrapper& body_a, 
   } else {
     output.refreshContactPoints();
   }
+  ShowTouching(manifold, was_loaded, {});
   return true;
 }
 

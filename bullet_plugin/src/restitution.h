@@ -22,6 +22,7 @@
 #include <optional>
 
 #include "bullet_conversions.h"
+#include "just_touching.h"
 #include "pair_motion.h"
 
 namespace dgd_bullet {
@@ -51,8 +52,6 @@ inline void PrepareRebound(btManifoldPoint& point, const PairMotion& motion) {
   if (!(restitution > 0) || !motion.IsKnown()) return;
   // Bullet's solver takes back overlap by speed that bodies keep, up to a depth (btContactSolverInfo's own defaults).
   constexpr double kErrorReduction = 0.2, kDeepestPushed = 0.04;
-  // Metres. Apps look at the sign for whether bodies touch; what the solver makes of this overlap is below roundoff.
-  constexpr btScalar kJustTouching = btScalar(-1e-9);
   const Vector3 normal = -FromBullet(point.m_normalWorldOnB), place = FromBullet(point.m_positionWorldOnB);
   const double approach = motion.ApproachSpeed(place, normal), gain = motion.ApproachSpeedGain(place, normal);
   const double gap = double(point.getDistance()), time_step = motion.TimeStep();

@@ -1,0 +1,59 @@
+// Bodies that touch overlap, for an app that looks.
+//
+// Apps tell by the sign of a contact's distance whether two bodies touch or only may. Bullet's own narrowphase meets
+// bodies once they overlap, so that each impact and each rest shows an overlap. Here a body is met ahead of touching,
+// and comes to rest as far from its support as roundoff has it. So a contact that this step closes, and a near one that
+// carried something in the last step, is shown as just touching. The solver is told the gap all the same: it takes an
+// overlap times the point's error reduction per time step for what to give back, and a gap is a negative one.
+#pragma once
+
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+
+#include "bullet_conversions.h"
+#include "pair_motion.h"
+
+namespace dgd_bullet {
+
+/// Metres: what Bullet's solver makes of this overlap is below roundoff.
+constexpr btScalar kJustTouching = btScalar(-1e-9);
+
+/// Whether any point carried something in the last step.
+inline bool IsLoaded(const btPersistentManifold& manifold) {
+  for (int i = 0; i < manifold.getNumContacts(); ++i) {
+    if (manifold.getContactPoint(i).m_appliedImpulse > 0) return true;
+  }
+  return false;
+}
+
+/// Shows points of a pair's own manifold as touching, once callbacks have had their say on their material.
+/// @param was_loaded  Whether a point of the pair carried something in the last step.
+/// @param motion      Of the manifold's bodies, in its order.
+inline void ShowTouching(btPersistentManifold& manifold, bool was_loaded, const PairMotion& motion) {
+  // Of the breaking threshold: bodies at rest tremble by less.
+  const btScalar near = btScalar(1e-3) * manifold.getContactBreakingThreshold();
+  for (int i = 0; i < manifold.getNumContacts(); ++i) {
+    btManifoldPoint& point = manifold.getContactPoint(i);
+    const btScalar gap = point.m_distance1;
+    constexpr int kHasOwnSoftness =
+        BT_CONTACT_FLAG_HAS_CONTACT_CFM | BT_CONTACT_FLAG_HAS_CONTACT_ERP | BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING;
+    if (!(gap > 0) || (point.m_contactPointFlags & kHasOwnSoftness) != 0) continue;
+    const bool touches =
+        (was_loaded && gap <= near) ||
+        double(gap) <= motion.Approach(FromBullet(point.m_positionWorldOnB), -FromBullet(point.m_normalWorldOnB));
+    if (!touches) continue;
+    point.m_contactERP = gap / kJustTouching;
+    point.m_contactPointFlags |= BT_CONTACT_FLAG_HAS_CONTACT_ERP;
+    point.m_distance1 = kJustTouching;
+  }
+}
+
+/// Forgets which points were shown as touching, before anything else is made of them: their error reduction is for the
+/// gap of one step.
+inline void ForgetTouching(btPersistentManifold& manifold) {
+  for (int i = 0; i < manifold.getNumContacts(); ++i) {
+    btManifoldPoint& point = manifold.getContactPoint(i);
+    if (point.m_contactERP < 0) point.m_contactPointFlags &= ~BT_CONTACT_FLAG_HAS_CONTACT_ERP;
+  }
+}
+
+}  // namespace dgd_bullet
