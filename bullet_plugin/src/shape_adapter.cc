@@ -16,7 +16,7 @@ namespace {
 
 /// Share of a box's least half extent: boxes tip early by as much (tests/physics, tip), and boxes at rest overlap by
 /// less than a tenth of it.
-constexpr btScalar kEdgeRadius = btScalar(1) / 256;
+constexpr btScalar kEdgeRadius = btScalar(1) / 512;
 
 Vector3 CoreOf(const btBoxShape& box, btScalar edge_radius) {
   const btVector3 half = box.getHalfExtentsWithMargin() - btVector3(edge_radius, edge_radius, edge_radius);
