@@ -15,6 +15,7 @@
 #include "friction_anchors.h"
 #include "just_touching.h"
 #include "manifold_writer.h"
+#include "multi_sphere.h"
 #include "pair_motion.h"
 #include "shape_adapter.h"
 #include "shape_points.h"
@@ -52,7 +53,7 @@ btScalar OffsetOf(const btCollisionShape& shape, int type) {
     case STATIC_PLANE_PROXYTYPE:  // Its margin is not looked at.
       return static_cast<const btStaticPlaneShape&>(shape).getPlaneConstant();
     case MULTI_SPHERE_SHAPE_PROXYTYPE:
-      return RadiusOfPoints(static_cast<const btConvexShape&>(shape));
+      return btScalar(SmallestRadius(static_cast<const btMultiSphereShape&>(shape)));
     default:
       return shape.getMargin();
   }

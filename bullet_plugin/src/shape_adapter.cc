@@ -9,6 +9,7 @@
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
 
 #include "bullet_support.h"
+#include "multi_sphere.h"
 #include "shape_points.h"
 
 namespace dgd_bullet {
@@ -49,7 +50,7 @@ PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, 
   const double margin = dgd::RequireLength(double(shape.getMargin()), true, "collision margin");
   // Of what has a margin besides its core.
   const bool is_sharp = geometry == GeometryMode::kSharp;
-  const double radius = is_sharp ? 0 : margin;
+  double radius = is_sharp ? 0 : margin;
   switch (type) {
     case SPHERE_SHAPE_PROXYTYPE:
       // Its margin is its radius.
@@ -86,13 +87,22 @@ PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, 
       return {dgd::RoundedSet{dgd::Cone<double>(double(cone.getRadius()), double(cone.getHeight())), radius},
               FromBullet(transform, UpAxis(shape))};
     }
+    case MULTI_SPHERE_SHAPE_PROXYTYPE: {
+      const auto& spheres = static_cast<const btMultiSphereShape&>(shape);
+      if (!AreSpheres(spheres)) break;
+      const double smallest = dgd::RequireLength(SmallestRadius(spheres), true, "radius of a multi-sphere");
+      if (HaveOneRadius(spheres)) {
+        radius = smallest;  // Around the hull of their centres.
+        break;
+      }
+      return {dgd::RoundedSet{CoreOfSpheres(spheres), smallest}, FromBullet(transform)};
+    }
     default:
       break;
   }
   if (!IsHullOfPoints(shape)) return {dgd::RoundedSet{ThroughBullet(shape, radius), radius}, FromBullet(transform)};
   if (hull == nullptr || !hull->Matches(shape)) hull = cache.Find(shape);
-  const double radius_of_points = type == MULTI_SPHERE_SHAPE_PROXYTYPE ? double(RadiusOfPoints(shape)) : radius;
-  return {dgd::RoundedSet{dgd::CoreReference(hull->Core()), radius_of_points}, FromBullet(transform)};
+  return {dgd::RoundedSet{dgd::CoreReference(hull->Core()), radius}, FromBullet(transform)};
 }
 
 bool ShowsFaces(const btCollisionShape& shape) {

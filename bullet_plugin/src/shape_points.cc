@@ -4,13 +4,14 @@
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletCollision/CollisionShapes/btConvexPointCloudShape.h>
 #include <BulletCollision/CollisionShapes/btConvexTriangleMeshShape.h>
-#include <BulletCollision/CollisionShapes/btMultiSphereShape.h>
 #include <BulletCollision/CollisionShapes/btStridingMeshInterface.h>
 #include <BulletCollision/CollisionShapes/btTetrahedronShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleCallback.h>
 
 #include <array>
 #include <cstring>
+
+#include "multi_sphere.h"
 
 namespace dgd_bullet {
 namespace {
@@ -34,16 +35,6 @@ Vector3 ReadPoint(const unsigned char* bytes) {
   return {double(coordinates[0]), double(coordinates[1]), double(coordinates[2])};
 }
 
-/// Whether all spheres are spheres, scaled as they are, and of one radius.
-bool AreEqual(const btMultiSphereShape& spheres) {
-  const btVector3& scaling = spheres.getLocalScalingNV();
-  if (!(scaling.x() > 0 && scaling.x() == scaling.y() && scaling.x() == scaling.z())) return false;
-  for (int i = 1; i < spheres.getSphereCount(); ++i) {
-    if (spheres.getSphereRadius(i) != spheres.getSphereRadius(0)) return false;
-  }
-  return spheres.getSphereCount() > 0;
-}
-
 }  // namespace
 
 bool IsHullOfPoints(const btConvexShape& shape) {
@@ -53,17 +44,13 @@ bool IsHullOfPoints(const btConvexShape& shape) {
     case TETRAHEDRAL_SHAPE_PROXYTYPE:
     case CONVEX_TRIANGLEMESH_SHAPE_PROXYTYPE:
       return true;
-    case MULTI_SPHERE_SHAPE_PROXYTYPE:
-      return AreEqual(static_cast<const btMultiSphereShape&>(shape));
+    case MULTI_SPHERE_SHAPE_PROXYTYPE: {
+      const auto& spheres = static_cast<const btMultiSphereShape&>(shape);
+      return AreSpheres(spheres) && HaveOneRadius(spheres);
+    }
     default:
       return false;
   }
-}
-
-btScalar RadiusOfPoints(const btConvexShape& shape) {
-  if (shape.getShapeType() != MULTI_SPHERE_SHAPE_PROXYTYPE) return shape.getMargin();
-  const auto& spheres = static_cast<const btMultiSphereShape&>(shape);
-  return spheres.getSphereRadius(0) * spheres.getLocalScalingNV().x();
 }
 
 ShapePoints::ShapePoints(const btConvexShape& shape)

@@ -14,10 +14,6 @@ namespace dgd_bullet {
 /// spheres of one radius.
 bool IsHullOfPoints(const btConvexShape& shape);
 
-/// The radius around the points of a shape for which IsHullOfPoints() holds, metres: its margin, or that of its
-/// spheres.
-btScalar RadiusOfPoints(const btConvexShape& shape);
-
 /// Random access to the points of a shape for which IsHullOfPoints() holds; valid while the shape is not changed.
 class ShapePoints {
  public:

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSafeMarginShare = 0.1;     // Bullet's setSafeMargin: of the least half extent.
-constexpr double kBoxEdgeShare = 1.0 / 256;  // dgd_bullet::GeometryMode: of the least half extent.
+constexpr double kBoxEdgeShare = 1.0 / 512;  // dgd_bullet::GeometryMode: of the least half extent.
 
 double SafeMargin(double least_half_extent, double margin) {
   return std::min(margin, kSafeMarginShare * least_half_extent);

@@ -37,7 +37,7 @@ using Shape = std::variant<Sphere, Capsule, Box, Cylinder, Cone, Hull>;
 double BulletMargin(const Shape& shape, double margin);
 
 /// The collision geometry is a core plus a ball. Hulls and cones grow by the whole margin; cylinders keep their size
-/// and get round edges of Bullet's margin; boxes keep theirs, with edges as good as sharp: of a 256th of their least
+/// and get round edges of Bullet's margin; boxes keep theirs, with edges as good as sharp: of a 512th of their least
 /// half extent at most; for spheres and capsules the ball is their radius.
 /// @return radius of the ball, m.
 double RoundingRadius(const Shape& shape, double margin);

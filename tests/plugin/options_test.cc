@@ -169,8 +169,8 @@ TEST(GeometryMode, Bullets_BoxStandsOnAnEdgeThatIsAsGoodAsSharp) {
   btBoxShape box(Vec(0.5, 0.5, 0.5)), floor(Vec(5, 5, 1));
   const btTransform on_edge =
       MakeTransform(Eigen::AngleAxisd(kPi / 4, Vector::UnitX()).toRotationMatrix(), {0, 0, std::sqrt(2) * 0.5});
-  // The default, what is less than a 256th of half the box's side, and none.
-  for (const auto& [margin, radius] : {std::pair{0.04, 0.5 / 256}, {0.001, 0.001}, {0.0, 0.0}}) {
+  // The default, what is less than a 512th of half the box's side, and none.
+  for (const auto& [margin, radius] : {std::pair{0.04, 0.5 / 512}, {0.001, 0.001}, {0.0, 0.0}}) {
     box.setMargin(btScalar(margin));
     EXPECT_NEAR(DeepestOf({}, box, floor, on_edge, At(0, 0, -1)).depth, (std::sqrt(2) - 1) * radius, kLength);
     EXPECT_NEAR(DeepestOf({}, box, floor, At(0, 0, 0.499), At(0, 0, -1)).depth, -0.001, kLength);

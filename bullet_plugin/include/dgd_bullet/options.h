@@ -15,7 +15,7 @@ enum class NormalMode {
 /// What the bodies' surfaces are.
 enum class GeometryMode {
   kBullet,  ///< What Bullet sees: each shape's core, rounded by its margin; boxes of full size with edges as good as
-            ///< sharp, rounded by a 256th of their least half extent or their margin, whichever is less.
+            ///< sharp, rounded by a 512th of their least half extent or their margin, whichever is less.
   kSharp,   ///< No margins: boxes and cylinders of full size with sharp edges, hulls, cones and triangles as they are.
             ///< Spheres and capsules keep their radius.
 };

@@ -57,11 +57,11 @@ TEST(SurfaceMeshTest, RoundShapes_HaveTheirVolumes) {
 }
 
 // Steiner: volume + area r + mean curvature r^2 + 4/3 pi r^3; for a box, pi/2 times each edge length is the third term.
-// Of a hull, which takes a margin that can be seen, and of a box, which takes a 256th of its least half extent.
+// Of a hull, which takes a margin that can be seen, and of a box, which takes a 512th of its least half extent.
 TEST(SurfaceMeshTest, RoundedBox_HasSteinersVolume) {
   const Eigen::Vector3d half(0.5, 0.6, 0.7);
   for (const bool is_hull : {true, false}) {
-    const double r = is_hull ? 0.05 : 0.5 / 256;
+    const double r = is_hull ? 0.05 : 0.5 / 512;
     const Eigen::Vector3d core_half = half.array() - r, core = 2 * core_half;
     const double area = 2 * (core.x() * core.y() + core.y() * core.z() + core.z() * core.x());
     const double volume = core.prod() + area * r + kPi * core.sum() * r * r + 4 * kPi / 3 * r * r * r;

@@ -68,10 +68,10 @@ TEST_P(BulletShapeTest, Box_HasTheMarginThatBulletGivesIt) {
   EXPECT_NEAR(double(box->getMarginNonVirtual()), std::min(GetParam(), 0.02), 1e-8);
 }
 
-// The radius is documented: a 256th of the least half extent, or the margin if that is less.
+// The radius is documented: a 512th of the least half extent, or the margin if that is less.
 TEST(RoundingRadiusTest, Boxes_AreAsGoodAsSharp) {
   const Box box{Vector3d(0.5, 0.8, 0.2)};
-  EXPECT_EQ(RoundingRadius(box, 0.04), 0.2 / 256);
+  EXPECT_EQ(RoundingRadius(box, 0.04), 0.2 / 512);
   EXPECT_EQ(RoundingRadius(box, 1e-4), 1e-4);
   EXPECT_EQ(RoundingRadius(box, 0), 0);
 }
