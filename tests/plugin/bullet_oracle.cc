@@ -10,7 +10,7 @@ namespace {
 
 /// Boxes are as good as sharp: their edges' radius is this part of their least half extent, or their margin if that is
 /// less.
-constexpr double kEdgeRadius = 1.0 / 256;
+constexpr double kEdgeRadius = 1.0 / 512;
 
 /// Null for all but boxes: not for a shape that is made of one.
 const btBoxShape* AsBox(const btConvexShape& shape) {

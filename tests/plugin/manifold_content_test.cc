@@ -238,7 +238,7 @@ TEST_F(ManifoldContent, PointsThatCarriedAboutAsMuch_KeepTheirOrder) {
   PairQuery pair(dispatching_.dispatcher(), box_, floor_);
   pair.SetPoses(At(0, 0, 0.199), At(0, 0, -1));
   btPersistentManifold* manifold = nullptr;
-  std::array<btVector3, 4> places;
+  std::array<Vector, 4> places;
   for (int step = 0; step < 3; ++step) {
     pair.Step();
     manifold = pair.manifold();
@@ -246,9 +246,11 @@ TEST_F(ManifoldContent, PointsThatCarriedAboutAsMuch_KeepTheirOrder) {
     for (int i = 0; i < 4; ++i) {
       btManifoldPoint& point = manifold->getContactPoint(i);
       point.m_appliedImpulse = btScalar(1 + 0.4 * ((i + step) % 2));
-      btVector3& place = places[static_cast<std::size_t>(i)];
-      if (step == 2) EXPECT_LE((point.m_localPointA - place).length(), kLength);
-      place = point.m_localPointA;
+      Vector& place = places[static_cast<std::size_t>(i)];
+      if (step == 2) {
+        EXPECT_LE((ToEigen(point.m_localPointA) - place).norm(), kLength);
+      }
+      place = ToEigen(point.m_localPointA);
     }
   }
 }

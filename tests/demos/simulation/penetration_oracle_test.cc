@@ -45,7 +45,7 @@ TEST(TruePenetrationTest, Boxes_KeepTheirOuterSizeWhateverTheMargin) {
 }
 
 TEST(TruePenetrationTest, RoundedEdgesOfBoxes_AreShorterThanSharpOnes) {
-  const double r = 1.0 / 256;
+  const double r = 1.0 / 512;
   const RoundedPolyhedron box = Rounded(Box{Vector3d(1, 1, 1)}, 0.04);
   // Edge to edge across the diagonal: the cores' edges are 2 (1 - r) apart from the middles in x and y.
   const double offset = 1.996;
