@@ -1,18 +1,11 @@
 #include "physics/comparison.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
+
+#include "physics/format.h"
 
 namespace dgd_physics {
 namespace {
-
-template <class... Values>
-std::string Format(const char* format, Values... values) {
-  std::array<char, 512> text;
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
 
 std::string Name(const Comparison& comparison) { return std::string(comparison.experiment->name); }
 
