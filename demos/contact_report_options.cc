@@ -7,7 +7,7 @@
 
 #include "command_line.h"
 #include "scene_options.h"
-#include "simulation/drop_run.h"
+#include "simulation/narrowphase.h"
 
 namespace dgd_demos {
 namespace {

@@ -7,9 +7,11 @@
 #include <cmath>
 #include <limits>
 
+#include "dgd_bullet/linkage.h"
 #include "solver_types.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Stored as Eigen will load it: a pair of numbers and one. A pair that is loaded from two single stores, as Eigen's
 /// own constructor makes them, waits for both to reach the cache, some 12 cycles; most queries take few hundred.
@@ -67,4 +69,5 @@ inline Pose FromBullet(const btTransform& transform, int up_axis = kZAxis) {
   return pose;
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

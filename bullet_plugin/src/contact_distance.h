@@ -3,9 +3,11 @@
 
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 
+#include "dgd_bullet/linkage.h"
 #include "dgd_bullet/options.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Metres, by the options or the manifold's breaking threshold, and what an app that asks adds.
 inline double ContactDistance(const Options& options, double breaking_threshold, const btManifoldResult& output) {
@@ -13,4 +15,5 @@ inline double ContactDistance(const Options& options, double breaking_threshold,
          double(output.m_closestPointDistanceThreshold);
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

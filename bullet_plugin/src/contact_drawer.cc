@@ -8,6 +8,7 @@
 #include <utility>
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 constexpr btScalar kNormalLength = btScalar(0.1);  // Metres.
@@ -66,4 +67,5 @@ void DrawContacts(const btPersistentManifold& manifold, btIDebugDraw* drawer) {
   if ((mode & btIDebugDraw::DBG_DrawText) != 0) DrawSeparation(manifold.getContactPoint(0), *drawer);
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

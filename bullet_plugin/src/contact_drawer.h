@@ -1,10 +1,13 @@
 // Contacts as Bullet's debug drawers show them.
 #pragma once
 
+#include "dgd_bullet/linkage.h"
+
 class btIDebugDraw;
 class btPersistentManifold;
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Shows a drawer that wants to see them the contacts of a manifold as the solver is given them, however they were
 /// found: drawing changes nothing. With DBG_DrawContactPoints in its mode the patch's outline on either body, and its
@@ -12,4 +15,5 @@ namespace dgd_bullet {
 /// @param drawer  Or null.
 void DrawContacts(const btPersistentManifold& manifold, btIDebugDraw* drawer);
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

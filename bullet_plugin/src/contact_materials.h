@@ -4,7 +4,10 @@
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletCollision/NarrowPhaseCollision/btManifoldPoint.h>
 
+#include "dgd_bullet/linkage.h"
+
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 inline bool HasFlag(const btCollisionObject& body_0, const btCollisionObject& body_1, int flag) {
   return ((body_0.getCollisionFlags() | body_1.getCollisionFlags()) & flag) != 0;
@@ -40,4 +43,5 @@ class ContactMaterials {
   btScalar damping_ = 0, stiffness_ = 0;
 };
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

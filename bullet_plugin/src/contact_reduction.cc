@@ -12,6 +12,7 @@
 #include "pair_motion.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// Cosine of the angle within which normals have one direction: of slopes that steeper surfaces must not displace.
@@ -198,4 +199,5 @@ ReducedContacts ReduceContacts(std::span<MeshContact> contacts, const dgd::Patch
   return Reduction(contacts, settings, motion, manifold).Choose();
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -5,12 +5,14 @@
 #include <span>
 
 #include "dgd/contact_patch.h"
+#include "dgd_bullet/linkage.h"
 #include "manifold_writer.h"
 #include "mesh_contacts.h"
 
 class btPersistentManifold;
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 class PairMotion;
 
@@ -30,4 +32,5 @@ struct ReducedContacts {
 ReducedContacts ReduceContacts(std::span<MeshContact> contacts, const dgd::PatchSettings<double>& settings,
                                const PairMotion& motion, const btPersistentManifold& manifold);
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -4,6 +4,7 @@
 #include "shape_sweep.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 struct ConvexCast::Hulls {
   HullCache cache;
@@ -26,4 +27,5 @@ bool ConvexCast::calcTimeOfImpact(const btTransform& from_a, const btTransform& 
   return true;
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -31,6 +31,7 @@
 #include "shape_sweep.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// Bounds that rounding keeps farther apart than the tolerance still prove a result if they agree to this: 5
@@ -507,4 +508,5 @@ void ConvexConvexAlgorithm::getAllContactManifolds(btManifoldArray& manifolds) {
   if (manifold_.IsOwn() && manifold_) manifolds.push_back(manifold_.Get());
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

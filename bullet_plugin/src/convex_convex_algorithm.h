@@ -15,6 +15,7 @@
 #include "dgd/contact_patch.h"
 #include "dgd/growth_distance.h"
 #include "dgd/held_face.h"
+#include "dgd_bullet/linkage.h"
 #include "face_contacts.h"
 #include "hull_cache.h"
 #include "narrowphase.h"
@@ -25,6 +26,7 @@
 #include "visiting_order.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 class RestingPair;
 struct Footing;
@@ -171,4 +173,5 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
 static_assert(sizeof(ConvexConvexAlgorithm) <= 184, "must fit Bullet's smallest pool element");
 static_assert(alignof(ConvexConvexAlgorithm) <= 8, "some of Bullet's pools align to 8 bytes only");
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

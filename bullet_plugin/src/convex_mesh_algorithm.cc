@@ -28,6 +28,7 @@
 #include "triangle_pairs.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// What a pair keeps from step to step: algorithms, and memory.
 struct MeshStep {
@@ -289,4 +290,5 @@ void ConvexMeshAlgorithm::Write(const TriangleQuery& query, bool has_foreign, co
   DrawContacts(*manifold_, info.m_debugDraw);
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

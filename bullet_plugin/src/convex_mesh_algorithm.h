@@ -12,9 +12,11 @@
 #include <memory>
 
 #include "dgd/contact_patch.h"
+#include "dgd_bullet/linkage.h"
 #include "narrowphase.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 struct MeshStep;
 struct TriangleQuery;
@@ -47,4 +49,5 @@ class ConvexMeshAlgorithm final : public btConvexConcaveCollisionAlgorithm {
 static_assert(sizeof(ConvexMeshAlgorithm) <= 184, "must fit Bullet's smallest pool element");
 static_assert(alignof(ConvexMeshAlgorithm) <= 8, "some of Bullet's pools align to 8 bytes only");
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -26,6 +26,7 @@
 #include "shape_adapter.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// A plane's point and upward unit normal; world.
@@ -192,4 +193,5 @@ void ConvexPlaneAlgorithm::getAllContactManifolds(btManifoldArray& manifolds) {
   if (manifold_.IsOwn() && manifold_) manifolds.push_back(manifold_.Get());
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

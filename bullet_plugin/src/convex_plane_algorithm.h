@@ -11,12 +11,14 @@
 #include <memory>
 #include <optional>
 
+#include "dgd_bullet/linkage.h"
 #include "fallback.h"
 #include "hull_cache.h"
 #include "narrowphase.h"
 #include "pair_manifold.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 class PairMotion;
 class RestingPair;
@@ -68,4 +70,5 @@ class ConvexPlaneAlgorithm final : public btCollisionAlgorithm {
 static_assert(sizeof(ConvexPlaneAlgorithm) <= 184, "must fit Bullet's smallest pool element");
 static_assert(alignof(ConvexPlaneAlgorithm) <= 8, "some of Bullet's pools align to 8 bytes only");
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -7,6 +7,7 @@
 #include "pair_patch.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// A body that moves on past a triangle comes to its plane with one part after another: so many are followed.
@@ -77,4 +78,5 @@ dgd::ContactPatch<double> FindFaceContacts(PosedShape shape, const PosedShape& t
   return patch;
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "dgd/contact_patch.h"
+#include "dgd_bullet/linkage.h"
 #include "pair_contacts.h"
 #include "pair_motion.h"
 #include "posed_shape.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// What a mesh wants to know of each of its triangles.
 struct TriangleQuery {
@@ -24,4 +26,5 @@ struct TriangleQuery {
 dgd::ContactPatch<double> FindFaceContacts(PosedShape shape, const PosedShape& triangle, const Vector3& normal,
                                            const TriangleQuery& query);
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -5,6 +5,7 @@
 #include "shape_type_name.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 struct Words {
@@ -68,4 +69,5 @@ FallbackMessage Describe(Fallback fallback, int type_0, int type_1) {
   return message;
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

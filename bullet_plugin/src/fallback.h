@@ -5,9 +5,11 @@
 #include <cstddef>
 
 #include "dgd/query_types.h"
+#include "dgd_bullet/linkage.h"
 #include "dgd_bullet/statistics.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// The members of FallbackCounts, in their order.
 enum class Fallback { kNotConverged, kNoInterior, kInvalid, kNoMemory };
@@ -30,4 +32,5 @@ using FallbackMessage = std::array<char, 256>;
 /// memory may be what is missing.
 FallbackMessage Describe(Fallback fallback, int type_0, int type_1);
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

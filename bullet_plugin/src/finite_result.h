@@ -7,7 +7,10 @@
 
 #include <cmath>
 
+#include "dgd_bullet/linkage.h"
+
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// What Bullet makes of a contact are products of two lengths: in float, of 1e19 m they would be infinite. False for
 /// NaN.
@@ -51,4 +54,5 @@ class FiniteResult final : public btManifoldResult {
   btManifoldResult& output_;
 };
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

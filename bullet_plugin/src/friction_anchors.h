@@ -15,7 +15,10 @@
 
 #include <limits>
 
+#include "dgd_bullet/linkage.h"
+
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// On fewer points bodies rock, and would be given back what they slipped: fifty polytopes come to rest a tenth later.
 constexpr int kFewestAnchors = 3;
@@ -146,4 +149,5 @@ class FrictionAnchors {
   bool can_hold_;
 };
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

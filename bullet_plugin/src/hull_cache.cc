@@ -12,6 +12,7 @@
 #include "shape_points.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 std::vector<unsigned char> CopyBytes(const ShapePoints& points) {
@@ -103,4 +104,5 @@ void HullCache::Prune() {
   prune_at_ = std::max<std::size_t>(64, 2 * hulls_.size());
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

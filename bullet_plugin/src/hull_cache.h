@@ -13,11 +13,13 @@
 
 #include "bullet_conversions.h"
 #include "dgd/shapes/polytope.h"
+#include "dgd_bullet/linkage.h"
 #include "shape_points.h"
 
 class btConvexShape;
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 class CachedHull {
  public:
@@ -60,4 +62,5 @@ class HullCache {
   std::size_t prune_at_ = 64;
 };
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -10,9 +10,11 @@
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
 #include "bullet_conversions.h"
+#include "dgd_bullet/linkage.h"
 #include "pair_motion.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Metres: what Bullet's solver makes of this overlap is below roundoff.
 constexpr btScalar kJustTouching = btScalar(-1e-9);
@@ -56,4 +58,5 @@ inline void ForgetTouching(btPersistentManifold& manifold) {
   }
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -18,6 +18,7 @@
 #include "restitution.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// Contacts, and which of the manifold's points they continue.
@@ -359,4 +360,5 @@ void DropPointsNotFinite(btPersistentManifold& manifold) {
   }
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

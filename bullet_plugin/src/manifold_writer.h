@@ -12,12 +12,14 @@
 
 #include "bullet_conversions.h"
 #include "dgd/contact_patch.h"
+#include "dgd_bullet/linkage.h"
 #include "pair_motion.h"
 
 class btManifoldResult;
 class btPersistentManifold;
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 struct MeshTriangle;
 
@@ -71,4 +73,5 @@ void CountStep(btPersistentManifold& manifold);
 /// Removes points whose distance, after a refresh, is no finite number: of bodies whose pose is no pose.
 void DropPointsNotFinite(btPersistentManifold& manifold);
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -7,6 +7,7 @@
 #include "bullet_conversions.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// Sine of the angle within which directions count as one: above the rounding of normals and of flat meshes, far below
@@ -254,4 +255,5 @@ void MeshContacts::CoverGhosts() {
   to_turn_.erase(std::unique(to_turn_.begin(), to_turn_.end()), to_turn_.end());
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

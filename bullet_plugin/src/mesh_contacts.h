@@ -21,10 +21,12 @@
 #include <vector>
 
 #include "dgd/contact_patch.h"
+#include "dgd_bullet/linkage.h"
 #include "mesh_triangle.h"
 #include "solver_types.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// A contact of a convex body, A, with a triangle of a mesh, B.
 struct MeshContact {
@@ -127,4 +129,5 @@ class MeshContacts {
   std::vector<int> to_turn_;
 };
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

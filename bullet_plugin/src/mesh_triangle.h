@@ -8,7 +8,10 @@
 
 #include <array>
 
+#include "dgd_bullet/linkage.h"
+
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 struct MeshTriangle {
   std::array<btVector3, 3> corners;  ///< In the mesh's frame, scaled; metres.
@@ -65,4 +68,5 @@ class ShownTriangle {
   const btCollisionObjectWrapper* mesh_;
 };
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

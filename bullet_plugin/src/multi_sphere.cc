@@ -6,6 +6,7 @@
 #include "bullet_conversions.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 double RadiusOf(const btMultiSphereShape& spheres, int i) {
@@ -58,4 +59,5 @@ SupportCore CoreOfSpheres(const btMultiSphereShape& spheres) {
   return {&spheres, Support, center, 0, 0};
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

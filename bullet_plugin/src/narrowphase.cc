@@ -19,6 +19,7 @@
 #include "finite_result.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// Makes an algorithm in a dispatcher's memory, of which Bullet gives back what it is left with.
@@ -135,4 +136,5 @@ btCollisionAlgorithm* Narrowphase::MeshCreateFunc::CreateCollisionAlgorithm(btCo
   return Make<ConvexMeshAlgorithm>(info, narrowphase, body_0, body_1, is_swapped);
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <memory>
 
+#include "dgd_bullet/linkage.h"
 #include "dgd_bullet/options.h"
 #include "dgd_bullet/statistics.h"
 #include "fallback.h"
@@ -20,6 +21,7 @@ class btManifoldResult;
 struct btDispatcherInfo;
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 class ConvexConvexAlgorithm;
 class ConvexPlaneAlgorithm;
@@ -95,4 +97,5 @@ class Narrowphase {
   std::array<std::atomic<std::uint64_t>, kFallbacks> fallbacks_{};
 };
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

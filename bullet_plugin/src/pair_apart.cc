@@ -21,6 +21,7 @@
 #include "shape_adapter.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// What Bullet's support functions are off by, of the distance of a shape's farthest point: some roundings of the
@@ -129,4 +130,5 @@ double SeparationAlong(const PlacedShape& shape_a, const PlacedShape& shape_b, c
   return std::isfinite(separation) ? separation : -std::numeric_limits<double>::infinity();
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

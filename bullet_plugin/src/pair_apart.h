@@ -7,9 +7,12 @@
 
 #include <LinearMath/btVector3.h>
 
+#include "dgd_bullet/linkage.h"
+
 struct btCollisionObjectWrapper;
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 struct BodyReach;
 
@@ -25,4 +28,5 @@ struct PlacedShape {
 /// @param normal  From A to B, of unit length within rounding, world.
 double SeparationAlong(const PlacedShape& shape_a, const PlacedShape& shape_b, const btVector3& normal);
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

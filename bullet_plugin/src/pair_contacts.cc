@@ -12,6 +12,7 @@
 #include "shape_adapter.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// Depths that make no difference to a simulation, of the breaking threshold: 20 micrometres for large bodies. And to
@@ -84,4 +85,5 @@ void WriteContacts(const dgd::ContactPatch<double>& patch, const Vector3& normal
   UpdateManifold(patch, normal, motion, ManifoldUpdateOf(options, output), output);
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

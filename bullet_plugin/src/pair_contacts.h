@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "dgd/contact_patch.h"
+#include "dgd_bullet/linkage.h"
 #include "dgd_bullet/options.h"
 #include "manifold_writer.h"
 #include "pair_manifold.h"
@@ -14,6 +15,7 @@ class btManifoldResult;
 struct btDispatcherInfo;
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Up to which separation bodies are in contact.
 ///
@@ -60,4 +62,5 @@ ManifoldUpdate ManifoldUpdateOf(const Options& options, const btManifoldResult& 
 void WriteContacts(const dgd::ContactPatch<double>& patch, const Vector3& normal, const PairMotion& motion,
                    const Options& options, const PairManifold& manifold, btManifoldResult& output);
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

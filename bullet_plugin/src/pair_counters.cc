@@ -5,6 +5,7 @@
 #include <algorithm>
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 constexpr int kTypes = STATIC_PLANE_PROXYTYPE + 1;
@@ -80,4 +81,5 @@ std::vector<PairStatistics> PairCounters::Read() const {
   return pairs;
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -5,10 +5,12 @@
 #include <atomic>
 #include <vector>
 
+#include "dgd_bullet/linkage.h"
 #include "dgd_bullet/statistics.h"
 #include "fallback.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// How one call ended.
 struct PairOutcome {
@@ -46,4 +48,5 @@ class PairCounters {
   std::vector<Row> rows_;
 };
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

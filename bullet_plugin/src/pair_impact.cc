@@ -7,6 +7,7 @@
 #include "pair_solver.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// After so many, bodies count as meeting: two are usual.
@@ -86,4 +87,5 @@ PredictedEncounter PredictEncounter(MovingPair& pair, const dgd::Settings<double
   return {Encounter::kMeetAside, pair.AtStart(plane)};
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -3,10 +3,12 @@
 
 #include "dgd/growth_distance.h"
 #include "dgd/motion.h"
+#include "dgd_bullet/linkage.h"
 #include "pair_motion.h"
 #include "posed_shape.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Two shapes on their ways over the step.
 class MovingPair {
@@ -73,4 +75,5 @@ PredictedEncounter PredictEncounter(MovingPair& pair, const dgd::Settings<double
                                     dgd::WarmStart<double> warm_start, bool follows, const dgd::Result<double>& result,
                                     double at_end, double flush);
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

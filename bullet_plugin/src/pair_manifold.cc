@@ -4,6 +4,7 @@
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 bool PairManifold::Provide(btDispatcher& dispatcher, const btCollisionObject& body_0, const btCollisionObject& body_1) {
   if (manifold_ == nullptr) manifold_ = dispatcher.getNewManifold(&body_0, &body_1);
@@ -27,4 +28,5 @@ void PairManifold::ShowTo(btManifoldResult& output) const {
   output.setPersistentManifold(&empty);
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -6,11 +6,14 @@
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
+#include "dgd_bullet/linkage.h"
+
 class btCollisionObject;
 class btDispatcher;
 class btManifoldResult;
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 class PairManifold {
  public:
@@ -47,4 +50,5 @@ class PairManifold {
   bool is_own_;
 };
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

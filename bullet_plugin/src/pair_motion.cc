@@ -5,6 +5,7 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 double Reach(const btCollisionObject& object, const btVector3& from) {
   const btBroadphaseProxy* proxy = object.getBroadphaseHandle();
@@ -40,4 +41,5 @@ dgd::Motion<double> PairMotion::Twist::MotionOf(const Pose& pose, double time) c
 PairMotion::PairMotion(const BodyReach& body_a, const BodyReach& body_b, double time_step)
     : a_(Read(body_a, time_step)), b_(Read(body_b, time_step)), time_step_(time_step) {}
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -7,10 +7,12 @@
 
 #include "bullet_conversions.h"
 #include "dgd/motion.h"
+#include "dgd_bullet/linkage.h"
 
 class btCollisionObject;
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Distance from a world point, as the body's origin, to the farthest corner of the body's bounding box: no point of
 /// the body is farther. Of a body that is in no broadphase, by Bullet's own bound, which computes a bounding box first.
@@ -142,4 +144,5 @@ class PairMotion {
   double time_step_ = 0;
 };
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

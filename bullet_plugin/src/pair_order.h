@@ -6,7 +6,10 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 
+#include "dgd_bullet/linkage.h"
+
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Whether `a` comes before `b`: by their shapes' types, in the one order that each pair of them is compiled in
 /// (posed_shape.h), else along a direction of the world that no scene is built along, so that bodies that lie still
@@ -23,4 +26,5 @@ inline bool ComesBefore(const btCollisionObjectWrapper& a, const btCollisionObje
   return direction.dot(at_a) < direction.dot(at_b);
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

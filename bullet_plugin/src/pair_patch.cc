@@ -5,6 +5,7 @@
 #include <optional>
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// Of the step: where a body that is in contact comes down on another of its corners, that carries it from the
@@ -107,4 +108,5 @@ dgd::ContactPatch<double> WitnessOnly(const dgd::Result<double>& result) {
   return patch;
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

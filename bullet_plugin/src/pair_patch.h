@@ -4,10 +4,12 @@
 #include "dgd/contact_patch.h"
 #include "dgd/facing_faces.h"
 #include "dgd/query_types.h"
+#include "dgd_bullet/linkage.h"
 #include "pair_motion.h"
 #include "posed_shape.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// What the shapes show each other along the result's normal.
 void FindFacingFaces(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Result<double>& result,
@@ -36,4 +38,5 @@ void AddRimPoint(const PosedShape& shape, const dgd::Result<double>& result, con
 /// The witness point alone: what Bullet's own algorithm would report.
 dgd::ContactPatch<double> WitnessOnly(const dgd::Result<double>& result);
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -4,7 +4,10 @@
 
 #include <cstddef>
 
+#include "dgd_bullet/linkage.h"
+
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 namespace prefetch_internal {
 
@@ -29,4 +32,5 @@ inline void PrefetchToRead(const void* begin, std::size_t bytes) {
   prefetch_internal::PrefetchLines<false>(begin, bytes);
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -20,6 +20,7 @@
 #include "shape_adapter.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// The content of a shape's block.
@@ -224,4 +225,5 @@ std::uint64_t Recorder::pair_count() const { return writer_->pair_count(); }
 
 void Recorder::Close() { writer_->Close(); }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -9,6 +9,7 @@
 #include "narrowphase.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 std::shared_ptr<Narrowphase> MakeNarrowphase(const Options& options) { return std::make_shared<Narrowphase>(options); }
 
@@ -45,4 +46,5 @@ const Narrowphase& Register(btCollisionDispatcher* dispatcher, const Options& op
 
 Statistics StatisticsOf(const Narrowphase& narrowphase) { return narrowphase.statistics(); }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

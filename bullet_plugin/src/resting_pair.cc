@@ -21,6 +21,7 @@
 #include "shape_points.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// How much more the rim of a body counts that tilts than contacts that slide: what tilts may bring down a corner that
@@ -296,4 +297,5 @@ bool KeepContacts(RestingPair& resting, const btCollisionObjectWrapper& body_a, 
   return true;
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -20,6 +20,7 @@
 #include <memory>
 
 #include "dgd/held_face.h"
+#include "dgd_bullet/linkage.h"
 #include "hull_cache.h"
 
 class btCollisionShape;
@@ -28,6 +29,7 @@ class btPersistentManifold;
 struct btCollisionObjectWrapper;
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 class PairMotion;
 
@@ -121,4 +123,5 @@ bool KeepContacts(RestingPair& resting, const btCollisionObjectWrapper& body_a, 
                   const RestingPair::Hull& hull_a, const RestingPair::Hull& hull_b, double anchor_time_step,
                   btPersistentManifold& manifold, btManifoldResult& output);
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

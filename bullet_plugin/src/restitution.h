@@ -22,10 +22,12 @@
 #include <optional>
 
 #include "bullet_conversions.h"
+#include "dgd_bullet/linkage.h"
 #include "just_touching.h"
 #include "pair_motion.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Metres per second: Bullet's solver lets slower bodies come to rest (btContactSolverInfo's own default).
 constexpr double kSlowestRebound = 0.2;
@@ -63,4 +65,5 @@ inline void PrepareRebound(btManifoldPoint& point, const PairMotion& motion) {
   if (gap > 0) point.m_distance1 = kJustTouching;
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -13,6 +13,7 @@
 #include "shape_points.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// Share of a box's least half extent: boxes tip early by as much (tests/physics, tip), and boxes at rest overlap by
@@ -119,4 +120,5 @@ bool ShowsFaces(const btCollisionShape& shape) {
   }
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

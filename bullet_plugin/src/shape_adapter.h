@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "bullet_conversions.h"
+#include "dgd_bullet/linkage.h"
 #include "dgd_bullet/options.h"
 #include "hull_cache.h"
 #include "posed_shape.h"
@@ -13,6 +14,7 @@ class btCollisionShape;
 class btConvexShape;
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// A margin set larger than a box or cylinder leaves Bullet a negative core, which is no set: its extent counts as
 /// zero. NaN stays NaN, and is refused by the set.
@@ -37,4 +39,5 @@ PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, 
 /// spheres, scaled shapes, an app's own. Planes and meshes have faces, too.
 bool ShowsFaces(const btCollisionShape& shape);
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

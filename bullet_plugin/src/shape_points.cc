@@ -14,6 +14,7 @@
 #include "multi_sphere.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 const btVector3 kUnscaled(1, 1, 1);
@@ -130,4 +131,5 @@ std::vector<Vector3> AllPoints(const btConvexShape& shape) {
   return points;
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

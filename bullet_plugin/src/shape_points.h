@@ -5,10 +5,12 @@
 #include <vector>
 
 #include "bullet_conversions.h"
+#include "dgd_bullet/linkage.h"
 
 class btConvexShape;
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Whether the shape is the hull of points, with a radius: hull, point cloud, tetrahedron, convex triangle mesh, and
 /// spheres of one radius.
@@ -40,4 +42,5 @@ class ShapePoints {
 /// All points of the shape that belong to its hull.
 std::vector<Vector3> AllPoints(const btConvexShape& shape);
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

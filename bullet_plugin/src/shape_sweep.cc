@@ -10,6 +10,7 @@
 #include "shape_adapter.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// Of the shape's body, whatever the shape's own axis.
@@ -49,4 +50,5 @@ bool Meet(const dgd::TimeOfImpactResult<double>& result, const MovingShape& a, c
   return result.normal.dot(approach) > 0;
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

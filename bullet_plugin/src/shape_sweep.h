@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "dgd/time_of_impact.h"
+#include "dgd_bullet/linkage.h"
 #include "dgd_bullet/options.h"
 #include "hull_cache.h"
 
@@ -11,6 +12,7 @@ class btConvexShape;
 class btTransform;
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// A shape and its way.
 struct MovingShape {
@@ -29,4 +31,5 @@ dgd::TimeOfImpactResult<double> SweepShapes(const MovingShape& a, const MovingSh
 /// meet, as in Bullet's own sweeps.
 bool Meet(const dgd::TimeOfImpactResult<double>& result, const MovingShape& a, const MovingShape& b);
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -3,6 +3,7 @@
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 const char* ShapeTypeName(int type) {
   switch (type) {
@@ -47,4 +48,5 @@ const char* ShapeTypeName(int type) {
   }
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -6,6 +6,7 @@
 #include "shape_type_name.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 std::string NameOf(int type) {
@@ -60,4 +61,5 @@ std::string ToJson(const Statistics& statistics) {
   return json.str();
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

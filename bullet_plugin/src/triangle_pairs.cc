@@ -7,6 +7,7 @@
 #include <new>
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 void GiveBack(btDispatcher& dispatcher, btCollisionAlgorithm* algorithm) {
   algorithm->~btCollisionAlgorithm();
@@ -53,4 +54,5 @@ void TrianglePairs::EndStep() {
   pairs_.resize(kept);
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

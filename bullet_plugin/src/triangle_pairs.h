@@ -8,10 +8,13 @@
 #include <cstddef>
 #include <vector>
 
+#include "dgd_bullet/linkage.h"
+
 class btCollisionAlgorithm;
 class btDispatcher;
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// A mesh visits its triangles in the same order in each step, so each is looked for behind the one before, and not
 /// far. One that is missed, or taken for another, costs its algorithm time and no more: what that remembers are hints.
@@ -49,4 +52,5 @@ class TrianglePairs {
 /// Ends an algorithm that came from a dispatcher.
 void GiveBack(btDispatcher& dispatcher, btCollisionAlgorithm* algorithm);
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -4,6 +4,7 @@
 #include <new>
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// Each thread counts from elsewhere, so that the places of one are not taken for another's.
@@ -22,4 +23,5 @@ VisitingOrder& VisitingOrder::OfThisThread() {
   return order;
 }
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

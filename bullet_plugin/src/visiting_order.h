@@ -10,7 +10,10 @@
 #include <cstdint>
 #include <memory>
 
+#include "dgd_bullet/linkage.h"
+
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// What one thread has visited last: addresses, of which nothing is known but that something was there, or null.
 class VisitingOrder {
@@ -57,4 +60,5 @@ class VisitingOrder {
   Place now_;
 };
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -3,7 +3,6 @@
 #include <chrono>
 #include <cmath>
 #include <sstream>
-#include <type_traits>
 #include <utility>
 
 #include "simulation/penetration_oracle.h"
@@ -51,8 +50,6 @@ class Stepper {
 }  // namespace
 
 int StepCount(const Scene& scene) { return static_cast<int>(std::lround(scene.duration / scene.time_step)); }
-
-const char* BulletPrecision() { return std::is_same_v<btScalar, double> ? "double" : "float"; }
 
 DropRun RunDrop(const Scene& scene, const std::vector<Body>& bodies, Narrowphase narrowphase, int oracle_every,
                 const std::function<void(const StepRecord&)>& on_step, dgd_bullet::Recorder* recorder) {

@@ -7,16 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "dgd_bullet/recorder.h"
 #include "scene/bodies.h"
 #include "scene/scene.h"
 #include "simulation/narrowphase.h"
 #include "simulation/run_summary.h"
 #include "simulation/snapshot.h"
 #include "simulation/step_record.h"
-
-namespace dgd_bullet {
-class Recorder;
-}
 
 namespace dgd_demos {
 
@@ -36,8 +33,5 @@ DropRun RunDrop(const Scene& scene, const std::vector<Body>& bodies, Narrowphase
 
 /// Number of steps that a scene takes.
 int StepCount(const Scene& scene);
-
-/// "float" or "double": what Bullet computes in here.
-const char* BulletPrecision();
 
 }  // namespace dgd_demos

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <type_traits>
 
 namespace dgd_demos {
 namespace {
@@ -65,5 +66,7 @@ std::uint64_t Fallbacks(const btCollisionConfiguration& configuration) {
   const auto* dgd = dynamic_cast<const dgd_bullet::CollisionConfiguration*>(&configuration);
   return dgd == nullptr ? 0 : dgd->statistics().Fallbacks();
 }
+
+const char* BulletPrecision() { return std::is_same_v<btScalar, double> ? "double" : "float"; }
 
 }  // namespace dgd_demos

@@ -32,4 +32,7 @@ std::unique_ptr<btDefaultCollisionConfiguration> MakeCollisionConfiguration(Narr
 /// Queries so far that the plugin handed back to the built-in; 0 for the built-in itself.
 std::uint64_t Fallbacks(const btCollisionConfiguration& configuration);
 
+/// "float" or "double": what Bullet computes in here.
+const char* BulletPrecision();
+
 }  // namespace dgd_demos

@@ -13,11 +13,13 @@
 #include <memory>
 #include <utility>
 
+#include "dgd_bullet/linkage.h"
 #include "dgd_bullet/options.h"
 #include "dgd_bullet/register.h"
 #include "dgd_bullet/statistics.h"
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// A configuration of Bullet's, or an app's own, with the growth distance for every pair of convex types and for convex
 /// types on static planes, in the contact table and in the closest-points table; and in the contact table, for convex
@@ -54,4 +56,5 @@ class CollisionConfigurationOf : public Base {
 /// In the place of Bullet's default.
 using CollisionConfiguration = CollisionConfigurationOf<btDefaultCollisionConfiguration>;
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -10,11 +10,13 @@
 
 #include <memory>
 
+#include "dgd_bullet/linkage.h"
 #include "dgd_bullet/options.h"
 
 class btConvexShape;
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Both shapes may move and turn, on the way that Bullet's integrator would take from one pose to the other. The answer
 /// is never late: a fraction is given at which the shapes are no nearer than a twentieth of a nanometre, and no
@@ -43,4 +45,5 @@ class ConvexCast : public btConvexCast {
   std::unique_ptr<Hulls> hulls_;
 };
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -1,7 +1,10 @@
 // Options of the narrowphase. One value per dispatcher; copied when the narrowphase is made, never read again.
 #pragma once
 
+#include "dgd_bullet/linkage.h"
+
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 class Recorder;
 
@@ -117,4 +120,5 @@ struct Options {
   void (*on_first_fallback)(const char* message) noexcept = PrintToStandardError;
 };
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -5,9 +5,12 @@
 #include <memory>
 #include <string>
 
+#include "dgd_bullet/linkage.h"
+
 struct btCollisionObjectWrapper;
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// A file of recorded pairs (dgd_bullet/record_file.h). Set as Options::recorder, it is given each pair of convex
 /// shapes that the dispatcher asks about; with another narrowphase, the app calls Add() itself. Any number of threads
@@ -41,4 +44,5 @@ class Recorder {
   std::unique_ptr<Writer> writer_;
 };
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "dgd_bullet/linkage.h"
 #include "dgd_bullet/options.h"
 #include "dgd_bullet/statistics.h"
 
@@ -10,6 +11,7 @@ class btCollisionDispatcher;
 struct btCollisionAlgorithmCreateFunc;
 
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// What the pairs of one dispatcher share: options, hulls, counters.
 class Narrowphase;
@@ -33,4 +35,5 @@ std::shared_ptr<Narrowphase> MakeNarrowphase(const Options& options);
 btCollisionAlgorithmCreateFunc* ContactCreateFunc(Narrowphase& narrowphase, int type_0, int type_1);
 btCollisionAlgorithmCreateFunc* ClosestPointsCreateFunc(Narrowphase& narrowphase, int type_0, int type_1);
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -7,7 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "dgd_bullet/linkage.h"
+
 namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Calls that the growth distance did not answer, by reason. The first two are handed to Bullet's GJK/EPA.
 struct FallbackCounts {
@@ -51,4 +54,5 @@ struct Statistics : FallbackCounts {
 /// As a JSON object with the members' names; types are named as Bullet names them, without "_SHAPE_PROXYTYPE".
 std::string ToJson(const Statistics& statistics);
 
+}  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -1,0 +1,12 @@
+// What a linker sees of this library: a namespace for each precision of Bullet.
+#pragma once
+
+/// Bullet's types have the same names in float and in double; ours have not, so that what was compiled for one
+/// precision does not link with the library of the other: the undefined symbol is dgd_bullet::float64::Register, say.
+/// The namespace is inline, and an app never writes it. Only what does not know Bullet (record_file.h) is outside of
+/// it.
+#ifdef BT_USE_DOUBLE_PRECISION
+#define DGD_BULLET_PRECISION float64
+#else
+#define DGD_BULLET_PRECISION float32
+#endif
