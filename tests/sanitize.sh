@@ -22,7 +22,7 @@ case ${1-} in
     # The solver is in the plugin. Its own fuzzer, for all types and both scalars, takes as long to build as all of this.
     preset=asan-ubsan
     targets='test_plugin_float test_plugin_float_memory fuzz_hull fuzz_plugin_world fuzz_record_file'
-    tests='test_plugin_float(_memory)?\.|fuzz_(hull|plugin_world|record_file)'
+    tests='test_plugin_float(_memory)?\.|fuzz_(hull|plugin_world|record_file)|exports\.dgd_(core|bullet)$'
     options=-DBUILD_SHARED_LIBS=ON
     # One of two ways to register, one of two meshes; and how still a pyramid stands, or how far a ball rolls, is no
     # matter of memory.

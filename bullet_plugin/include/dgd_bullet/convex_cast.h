@@ -22,7 +22,7 @@ inline namespace DGD_BULLET_PRECISION {
 /// is never late: a fraction is given at which the shapes are no nearer than a twentieth of a nanometre, and no
 /// farther apart than a tenth (more only where their coordinates, or Bullet's support function of a custom shape, are
 /// not that exact).
-class ConvexCast : public btConvexCast {
+class DGD_BULLET_EXPORT ConvexCast : public btConvexCast {
  public:
   /// The shapes must outlive this, and may change between casts. Not for several threads at once.
   /// @param geometry  What their surfaces are.

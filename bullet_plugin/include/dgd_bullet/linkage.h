@@ -1,4 +1,5 @@
-// What a linker sees of this library: a namespace for each precision of Bullet.
+// What a linker sees of this library: a namespace for each precision of Bullet, and the names that a shared library
+// exports.
 #pragma once
 
 /// Bullet's types have the same names in float and in double; ours have not, so that what was compiled for one
@@ -10,3 +11,6 @@
 #else
 #define DGD_BULLET_PRECISION float32
 #endif
+
+/// Marks what apps use; a shared library hides everything else.
+#define DGD_BULLET_EXPORT [[gnu::visibility("default")]]

@@ -24,7 +24,7 @@ enum class GeometryMode {
 };
 
 /// Writes the message and a line's end to the standard error stream.
-void PrintToStandardError(const char* message) noexcept;
+DGD_BULLET_EXPORT void PrintToStandardError(const char* message) noexcept;
 
 /// Of one dispatcher; each has its default.
 struct Options {

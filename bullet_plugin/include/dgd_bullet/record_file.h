@@ -22,6 +22,8 @@
 #include <string>
 #include <vector>
 
+#include "dgd_bullet/linkage.h"
+
 namespace dgd_bullet {
 
 /// core + ball(radius), in its own frame: the geometry that Bullet's GJK sees. Metres; round cores stand along z.
@@ -64,8 +66,8 @@ struct Record {
 
 /// Throws std::runtime_error, naming the file, if it cannot be opened or is no record. What is wrong behind the header
 /// is told by Record::problem, with the byte where it is.
-Record ReadRecord(const std::string& path);
+DGD_BULLET_EXPORT Record ReadRecord(const std::string& path);
 /// @param name  For messages.
-Record ReadRecord(std::istream& file, const std::string& name);
+DGD_BULLET_EXPORT Record ReadRecord(std::istream& file, const std::string& name);
 
 }  // namespace dgd_bullet

@@ -18,7 +18,7 @@ inline namespace DGD_BULLET_PRECISION {
 ///
 /// Left out, and counted, are shapes that only their own support function describes (multi-spheres, scaled shapes,
 /// users' own), and what is no shape: without points, or with a size that is not finite.
-class Recorder {
+class DGD_BULLET_EXPORT Recorder {
  public:
   /// Makes or replaces the file. Throws std::runtime_error naming it if it cannot be written.
   explicit Recorder(const std::string& path);

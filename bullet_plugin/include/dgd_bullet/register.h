@@ -20,20 +20,21 @@ class Narrowphase;
 /// closest-points table of `dispatcher`, and for convex types on planes and meshes as CollisionConfigurationOf does.
 /// Pairs that already have an algorithm keep it until their bounding boxes part.
 /// @return the narrowphase now in use. It lives until the process ends, as Bullet demands of what it does not own.
-const Narrowphase& Register(btCollisionDispatcher* dispatcher, const Options& options = {});
+DGD_BULLET_EXPORT const Narrowphase& Register(btCollisionDispatcher* dispatcher, const Options& options = {});
 inline const Narrowphase& Register(btCollisionDispatcher& dispatcher, const Options& options = {}) {
   return Register(&dispatcher, options);
 }
 
 /// Counters of a narrowphase.
-Statistics StatisticsOf(const Narrowphase& narrowphase);
+DGD_BULLET_EXPORT Statistics StatisticsOf(const Narrowphase& narrowphase);
 
 /// For configurations and dispatchers that CollisionConfigurationOf and Register() do not fit: a narrowphase, which
 /// must outlive the dispatcher and all its pairs, and what makes the algorithms of a pair of shape types in the two
 /// tables, null where the types are left to Bullet. Throws std::invalid_argument naming an option that is out of range.
-std::shared_ptr<Narrowphase> MakeNarrowphase(const Options& options);
-btCollisionAlgorithmCreateFunc* ContactCreateFunc(Narrowphase& narrowphase, int type_0, int type_1);
-btCollisionAlgorithmCreateFunc* ClosestPointsCreateFunc(Narrowphase& narrowphase, int type_0, int type_1);
+DGD_BULLET_EXPORT std::shared_ptr<Narrowphase> MakeNarrowphase(const Options& options);
+DGD_BULLET_EXPORT btCollisionAlgorithmCreateFunc* ContactCreateFunc(Narrowphase& narrowphase, int type_0, int type_1);
+DGD_BULLET_EXPORT btCollisionAlgorithmCreateFunc* ClosestPointsCreateFunc(Narrowphase& narrowphase, int type_0,
+                                                                          int type_1);
 
 }  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -52,7 +52,7 @@ struct Statistics : FallbackCounts {
 };
 
 /// As a JSON object with the members' names; types are named as Bullet names them, without "_SHAPE_PROXYTYPE".
-std::string ToJson(const Statistics& statistics);
+DGD_BULLET_EXPORT std::string ToJson(const Statistics& statistics);
 
 }  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

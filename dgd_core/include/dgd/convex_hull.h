@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "dgd/export.h"
 #include "dgd/types.h"
 
 namespace dgd {
@@ -35,6 +36,6 @@ inline constexpr double kMostCoordinate = 1e75;
 ///                kMostCoordinate of the origin along each axis.
 /// Throws std::invalid_argument if there are none or one is not finite or farther away, naming its index; or if Qhull
 /// finds no hull of points that are clearly not flat, saying why. Flat input is not an error: the dimension says it.
-ConvexHull BuildConvexHull(std::span<const Eigen::Vector3d> points);
+DGD_EXPORT ConvexHull BuildConvexHull(std::span<const Eigen::Vector3d> points);
 
 }  // namespace dgd

@@ -1,6 +1,7 @@
 // By how much a linear map stretches what it maps.
 #pragma once
 
+#include "dgd/export.h"
 #include "dgd/types.h"
 
 namespace dgd {
@@ -15,7 +16,7 @@ struct Stretch {
 /// 2 seconds in each file that has it.
 /// @param linear  Finite.
 /// Does not allocate or throw.
-Stretch StretchOf(const SquareMatrix<double, 2>& linear);
-Stretch StretchOf(const SquareMatrix<double, 3>& linear);
+DGD_EXPORT Stretch StretchOf(const SquareMatrix<double, 2>& linear);
+DGD_EXPORT Stretch StretchOf(const SquareMatrix<double, 3>& linear);
 
 }  // namespace dgd

@@ -11,6 +11,7 @@
 
 #include "dgd/convex_hull.h"
 #include "dgd/convex_set.h"
+#include "dgd/export.h"
 #include "dgd/shapes/hull_queries.h"
 #include "dgd/supporting_face.h"
 
@@ -18,7 +19,7 @@ namespace dgd {
 
 /// What Dsf asks, in double whatever its scalar is: powers are most of the cost in either, so this is compiled once.
 /// Frame, units and errors are Dsf's.
-class DsfInDouble {
+class DGD_EXPORT DsfInDouble {
  public:
   using Scalar = double;
 

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "dgd/export.h"
+
 namespace dgd::vertex_scan {
 
 /// Bytes of one coordinate that the widest kernel reads in a step: the arrays are padded to a multiple.
@@ -45,9 +47,11 @@ void PlaceAvx2(const float* coordinates, std::size_t padded, const float* center
 bool HasAvx2();
 
 /// The best kernels for this processor.
-std::uint32_t Farthest(const double* coordinates, std::size_t padded, double x, double y, double z);
-std::uint32_t Farthest(const float* coordinates, std::size_t padded, float x, float y, float z);
-void Place(const double* coordinates, std::size_t padded, const double* center, const double* matrix, double* placed);
-void Place(const float* coordinates, std::size_t padded, const float* center, const float* matrix, float* placed);
+DGD_EXPORT std::uint32_t Farthest(const double* coordinates, std::size_t padded, double x, double y, double z);
+DGD_EXPORT std::uint32_t Farthest(const float* coordinates, std::size_t padded, float x, float y, float z);
+DGD_EXPORT void Place(const double* coordinates, std::size_t padded, const double* center, const double* matrix,
+                      double* placed);
+DGD_EXPORT void Place(const float* coordinates, std::size_t padded, const float* center, const float* matrix,
+                      float* placed);
 
 }  // namespace dgd::vertex_scan
