@@ -6,12 +6,16 @@
 #include <mutex>
 #include <vector>
 
+#include "bullet_check.h"
 #include "narrowphase.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
-std::shared_ptr<Narrowphase> MakeNarrowphase(const Options& options) { return std::make_shared<Narrowphase>(options); }
+std::shared_ptr<Narrowphase> MakeNarrowphase(const Options& options, int bullet_version) {
+  RequireMatchingBullet(bullet_version);
+  return std::make_shared<Narrowphase>(options);
+}
 
 btCollisionAlgorithmCreateFunc* ContactCreateFunc(Narrowphase& narrowphase, int type_0, int type_1) {
   return narrowphase.ContactCreateFunc(type_0, type_1);
@@ -21,12 +25,12 @@ btCollisionAlgorithmCreateFunc* ClosestPointsCreateFunc(Narrowphase& narrowphase
   return narrowphase.ClosestPointsCreateFunc(type_0, type_1);
 }
 
-const Narrowphase& Register(btCollisionDispatcher* dispatcher, const Options& options) {
+const Narrowphase& Register(btCollisionDispatcher* dispatcher, const Options& options, int bullet_version) {
   // Never destroyed: a dispatcher with static storage may outlive any object of ours.
   static std::mutex mutex;
   static auto& registered = *new std::vector<std::shared_ptr<Narrowphase>>();
 
-  const std::shared_ptr<Narrowphase> narrowphase = MakeNarrowphase(options);
+  const std::shared_ptr<Narrowphase> narrowphase = MakeNarrowphase(options, bullet_version);
   {
     const std::lock_guard lock(mutex);
     registered.push_back(narrowphase);

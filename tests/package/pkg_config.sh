@@ -5,8 +5,8 @@
 set -eu
 consumer=$1 output=$2 library_dir=$3 precision=$4 compiler=$5
 case $precision in
-  float) module=dgd_bullet other_module=dgd_bullet-float64 namespace=float32 ;;
-  float64) module=dgd_bullet-float64 other_module=dgd_bullet namespace=float64 ;;
+  float) module=dgd_bullet other_module=dgd_bullet-float64 other_suffix=-float64 namespace=float32 own=float other=double ;;
+  float64) module=dgd_bullet-float64 other_module=dgd_bullet other_suffix='' namespace=float64 own=double other=float ;;
 esac
 export PKG_CONFIG_PATH="$library_dir/pkgconfig"
 export LD_LIBRARY_PATH="$library_dir${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}" # if the libraries are shared
@@ -46,3 +46,7 @@ fi
 # shellcheck disable=SC2046 # lists of words
 fails_with "dgd_bullet::$namespace::MakeNarrowphase" \
   build falling_box $(pkg-config --cflags "$module") $(pkg-config --libs "$other_module")
+# All of one precision links, but another library's Bullet may come first: the one that the process then uses.
+# shellcheck disable=SC2046 # a list of words
+build falling_box "-lBulletCollision$other_suffix" $(pkg-config --cflags --libs "$module")
+fails_with "in $own, but the Bullet library in this process is in $other" "$output/falling_box"

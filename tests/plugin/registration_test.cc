@@ -53,6 +53,29 @@ void ForAllTypes(const Check& check) {
   }
 }
 
+/// What a registration throws; empty if nothing.
+template <class Function>
+std::string MessageOf(const Function& function) {
+  try {
+    function();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// The app's headers may be of another version than the plugin's. (Another precision: tests/package.)
+TEST(Registration, AnotherVersionOfBullet_IsRefusedInOneSentence) {
+  const std::string of_app = "Bullet 9.01", of_plugin = "compiled for Bullet 3.24";
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher(&configuration);
+  for (const std::string& message : {MessageOf([] { dgd_bullet::MakeNarrowphase({}, 901); }),
+                                     MessageOf([&] { dgd_bullet::Register(&dispatcher, {}, 901); })}) {
+    EXPECT_NE(message.find(of_app), std::string::npos) << message;
+    EXPECT_NE(message.find(of_plugin), std::string::npos) << message;
+  }
+}
+
 TEST(Registration, Configuration_TakesEveryConvexPairInBothTablesAndOrders) {
   dgd_bullet::CollisionConfiguration configuration;
   using Stock = btDefaultCollisionConfiguration;

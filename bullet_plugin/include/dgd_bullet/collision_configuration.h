@@ -21,6 +21,15 @@
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
+namespace configuration_internal {
+
+/// A base of its own, to be made before Bullet's: a Bullet that does not match is then found before it is used.
+struct NarrowphaseOwner {
+  std::shared_ptr<Narrowphase> narrowphase_;
+};
+
+}  // namespace configuration_internal
+
 /// A configuration of Bullet's, or an app's own, with the growth distance for every pair of convex types and for convex
 /// types on static planes, in the contact table and in the closest-points table; and in the contact table, for convex
 /// types on triangle meshes and heightfields, Bullet's own algorithm with the triangles' answers kept from step to
@@ -30,13 +39,13 @@ inline namespace DGD_BULLET_PRECISION {
 ///
 ///     dgd_bullet::CollisionConfigurationOf<btSoftBodyRigidBodyCollisionConfiguration> configuration;
 template <class Base>
-class CollisionConfigurationOf : public Base {
+class CollisionConfigurationOf : private configuration_internal::NarrowphaseOwner, public Base {
  public:
   /// @param of_base  What the base is constructed with.
-  /// Throws std::invalid_argument naming an option that is out of range.
+  /// Throws as MakeNarrowphase() (dgd_bullet/register.h), before the base is constructed.
   template <class... Arguments>
   explicit CollisionConfigurationOf(const Options& options = {}, Arguments&&... of_base)
-      : Base(std::forward<Arguments>(of_base)...), narrowphase_(MakeNarrowphase(options)) {}
+      : configuration_internal::NarrowphaseOwner{MakeNarrowphase(options)}, Base(std::forward<Arguments>(of_base)...) {}
 
   btCollisionAlgorithmCreateFunc* getCollisionAlgorithmCreateFunc(int type0, int type1) override {
     btCollisionAlgorithmCreateFunc* ours = ContactCreateFunc(*narrowphase_, type0, type1);
@@ -48,9 +57,6 @@ class CollisionConfigurationOf : public Base {
   }
 
   Statistics statistics() const { return StatisticsOf(*narrowphase_); }
-
- private:
-  std::shared_ptr<Narrowphase> narrowphase_;
 };
 
 /// In the place of Bullet's default.

@@ -5,10 +5,11 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 
 #include "dgd_bullet/collision_configuration.h"
 
-int main() {
+static bool FallsToRest() {
   dgd_bullet::CollisionConfiguration configuration;
   btCollisionDispatcher dispatcher(&configuration);
   btDbvtBroadphase broadphase;
@@ -38,5 +39,14 @@ int main() {
   std::printf("height %.6f m, speed %.2e m/s, %llu fallbacks, %s\n", height, speed, fallbacks, precision);
   // Bullet's solver leaves resting bodies a little deep; a wrong sign or margin is off by centimetres.
   const bool at_rest = std::abs(height - 0.5) < 0.005 && speed < 0.01;
-  return at_rest && fallbacks == 0 && std::strcmp(precision, EXPECTED_PRECISION) == 0 ? 0 : 1;
+  return at_rest && fallbacks == 0 && std::strcmp(precision, EXPECTED_PRECISION) == 0;
+}
+
+int main() {
+  try {
+    return FallsToRest() ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
 }
