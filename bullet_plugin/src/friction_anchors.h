@@ -10,11 +10,11 @@
 #pragma once
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
-#include <BulletDynamics/Dynamics/btRigidBody.h>
 #include <LinearMath/btTransform.h>
 
 #include <limits>
 
+#include "body_velocity.h"
 #include "dgd_bullet/linkage.h"
 
 namespace dgd_bullet {
@@ -50,8 +50,9 @@ class FrictionAnchors {
         btMax(a_.pose.getOrigin().absolute().dot({1, 1, 1}), b_.pose.getOrigin().absolute().dot({1, 1, 1}));
     roundoff_ = kRoundings * std::numeric_limits<btScalar>::epsilon() * farthest;
     can_hold_ = roundoff_ <= kMostRoundoff * max_slip_;
-    turning_ = a_.angular - b_.angular;
-    linear_at_a_ = a_.linear - b_.linear - b_.angular.cross(a_.pose.getOrigin() - b_.pose.getOrigin());
+    turning_ = a_.velocity.angular - b_.velocity.angular;
+    linear_at_a_ =
+        a_.velocity.linear - b_.velocity.linear - b_.velocity.angular.cross(a_.pose.getOrigin() - b_.pose.getOrigin());
   }
 
   /// Whether a point may be held from this step on.
@@ -97,16 +98,15 @@ class FrictionAnchors {
 
  private:
   struct Body {
-    explicit Body(const btCollisionObject& object) : pose(object.getWorldTransform()) {
-      const btRigidBody* rigid = btRigidBody::upcast(&object);
-      linear = rigid == nullptr ? btVector3(0, 0, 0) : rigid->getLinearVelocity();
-      angular = rigid == nullptr ? btVector3(0, 0, 0) : rigid->getAngularVelocity();
-      is_moved_by_app = object.isStaticOrKinematicObject() && !(linear.isZero() && angular.isZero());
-    }
+    explicit Body(const btCollisionObject& object)
+        : pose(object.getWorldTransform()),
+          velocity(VelocityOf(object)),
+          is_moved_by_app(object.isStaticOrKinematicObject() &&
+                          !(velocity.linear.isZero() && velocity.angular.isZero())) {}
 
     const btTransform& pose;
-    btVector3 linear, angular;  // Velocity of the origin, metres and radians per second.
-    bool is_moved_by_app;       // A static or kinematic body with a velocity: the solver does not change it.
+    BodyVelocity velocity;
+    bool is_moved_by_app;  // A static or kinematic body with a velocity: the solver does not change it.
   };
 
   btVector3 SlipOf(const btManifoldPoint& point, const btVector3& place_a, const btVector3& place_b) const {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "asked_by_app.h"
+#include "body_velocity.h"
 #include "contact_materials.h"
 #include "finite_result.h"
 #include "friction_anchors.h"
@@ -299,10 +300,11 @@ bool HasOwnWay(const btManifoldResult& output) {
 }  // namespace
 
 void OrderForSolver(btPersistentManifold& manifold) {
-  // Of nearly equal impulses the order is kept: changing it from step to step makes bodies at rest tremble.
+  // Of nearly equal impulses the order is kept: changing it from step to step makes bodies at rest tremble. With 1.2,
+  // stacks of small boxes creep half as far again; with 2, a tower of twenty sways by half as much again.
   constexpr btScalar kMore = btScalar(1.5);
   const int count = manifold.getNumContacts();
-  if (count < 2) return;
+  if (count < 2 || AsLink(*manifold.getBody0()) != nullptr || AsLink(*manifold.getBody1()) != nullptr) return;
   btManifoldPoint& first = manifold.getContactPoint(0);
   for (int i = 1; i < count; ++i) {
     btManifoldPoint& point = manifold.getContactPoint(i);

@@ -4,6 +4,8 @@
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include "body_velocity.h"
+
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
@@ -22,16 +24,24 @@ BodyReach::BodyReach(const btCollisionObject& body)
     : object(body), reach(Reach(body, body.getWorldTransform().getOrigin())) {}
 
 PairMotion::Twist PairMotion::Read(const BodyReach& body, double time_step) {
-  const btRigidBody* rigid = btRigidBody::upcast(&body.object);
+  const btCollisionObject& object = body.object;
   // Apps that make a body kinematic as Bullet's manual says leave it flagged as static, too.
-  if (rigid == nullptr || (rigid->isStaticObject() && !rigid->isKinematicObject())) return {};
-  const btVector3& origin = rigid->getWorldTransform().getOrigin();  // The centre of mass.
-  return {FromBullet(rigid->getLinearVelocity()),
-          FromBullet(rigid->getAngularVelocity()),
-          FromBullet(btScalar(time_step) * rigid->getInvMass() * rigid->getTotalForce()),
-          FromBullet(origin),
-          body.reach,
-          double(rigid->getInvMass())};
+  if (object.isStaticObject() && !object.isKinematicObject()) return {};
+  const btMultiBodyLinkCollider* link = AsLink(object);
+  const auto twist_of = [&](const BodyVelocity& velocity, const btVector3& acceleration, btScalar inverse_mass) {
+    return Twist{FromBullet(velocity.linear),
+                 FromBullet(velocity.angular),
+                 FromBullet(btScalar(time_step) * acceleration),
+                 FromBullet(object.getWorldTransform().getOrigin()),
+                 body.reach,
+                 double(inverse_mass),
+                 link != nullptr};
+  };
+  if (const btRigidBody* rigid = btRigidBody::upcast(&object)) {
+    const btScalar inverse_mass = rigid->getInvMass();
+    return twist_of(VelocityOf(object), inverse_mass * rigid->getTotalForce(), inverse_mass);
+  }
+  return link == nullptr ? Twist() : twist_of(VelocityOf(*link), AccelerationOf(*link), InverseMassOf(*link));
 }
 
 dgd::Motion<double> PairMotion::Twist::MotionOf(const Pose& pose, double time) const {

@@ -31,12 +31,16 @@ class PairMotion {
   /// Bodies at rest to each other.
   PairMotion() = default;
 
-  /// The bodies' motion over `time_step` seconds. Only rigid bodies have velocities; others count as at rest.
+  /// The bodies' motion over `time_step` seconds. What is neither a rigid body nor a multibody's link counts as at
+  /// rest.
   PairMotion(const BodyReach& body_a, const BodyReach& body_b, double time_step);
 
   /// Whether this is a motion over a time step, and not the default.
   bool IsKnown() const { return time_step_ > 0; }
   double TimeStep() const { return time_step_; }
+
+  /// Whether one of the bodies is a multibody's link.
+  bool IsOfLinks() const { return a_.is_link || b_.is_link; }
 
   /// Metres by which the surfaces come closer along `normal` (unit, from A to B) at a world point within the step, if
   /// no constraint acts; negative if they part.
@@ -71,7 +75,7 @@ class PairMotion {
     return !(time_step_ * (along + around) < distance) && !(MaxApproach(normal) < distance);
   }
 
-  /// Metres by which turning takes points off the straight lines that Approach() knows, at most.
+  /// Metres by which turning takes points off the straight lines that Approach() assumes, at most.
   double MaxArc() const {
     return time_step_ * time_step_ * (a_.angular.squaredNorm() * a_.reach + b_.angular.squaredNorm() * b_.reach) / 2;
   }
@@ -134,6 +138,7 @@ class PairMotion {
     Vector3 center = Vector3::Zero();   // World, metres.
     double reach = 0;                   // From the centre to the body's farthest point, metres.
     double inverse_mass = 0;            // 1 / kg.
+    bool is_link = false;               // Of a multibody.
   };
 
   static Twist Read(const BodyReach& body, double time_step);

@@ -12,7 +12,8 @@
 //   impact:      v^2 = (u + w/2)^2 + 2 a s
 //   rebound:     (u' + w/2)^2 = e^2 v^2 - 2 a s,  u' the speed of parting that the solver is to leave
 //
-// For e = 1, u' = u: energy is kept exactly.
+// For e = 1, u' = u: energy is kept exactly. The solver of multibodies begins with the speed that the forces have
+// changed already, u + w.
 #pragma once
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
@@ -59,9 +60,10 @@ inline void PrepareRebound(btManifoldPoint& point, const PairMotion& motion) {
   const double gap = double(point.getDistance()), time_step = motion.TimeStep();
   if (!(approach > kSlowestRebound) || !(gap <= (approach + gain) * time_step)) return;
   const std::optional<double> after = SpeedAfterImpact(restitution, approach, gain, gap, time_step);
-  if (!after) return;
+  const double approach_in_solver = motion.IsOfLinks() ? approach + gain : approach;
+  if (!after || !(approach_in_solver > 0)) return;
   const double pushed = gap < 0 && gap > -kDeepestPushed ? -gap * kErrorReduction / time_step : 0;
-  point.m_combinedRestitution = btScalar(std::max(*after - pushed, 0.0) / approach);
+  point.m_combinedRestitution = btScalar(std::max(*after - pushed, 0.0) / approach_in_solver);
   if (gap > 0) point.m_distance1 = kJustTouching;
 }
 

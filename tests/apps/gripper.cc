@@ -39,6 +39,7 @@ class RobotGripper {
   /// @param opening  Between each finger's face and the middle, m.
   RobotGripper(RobotWorld& robot, double height, double opening, double dt)
       : world_(robot.world),
+        opening_(opening),
         body_(3, btScalar(1), Vec(1, 1, 1), /*fixedBase=*/true, /*canSleep=*/false),
         palm_shape_(Vec(0.06, 0.02, 0.01)),
         finger_shape_(Vec(kFingerHalfThickness, 0.01, 0.02)) {
@@ -72,6 +73,8 @@ class RobotGripper {
     for (const std::size_t finger : {1U, 2U}) motors_[finger]->setVelocityTarget(btScalar(speed), 1);
   }
   double Lift() const { return double(body_.getJointPos(0)); }
+  /// Between the fingers' faces, m; negative if they have passed through each other.
+  double Gap() const { return 2 * opening_ - double(body_.getJointPos(1)) - double(body_.getJointPos(2)); }
 
  private:
   void AddCollider(int link, btBoxShape& shape) {
@@ -95,6 +98,7 @@ class RobotGripper {
   }
 
   btMultiBodyDynamicsWorld& world_;
+  double opening_;  // Between each finger's face and the middle at first, m.
   btMultiBody body_;
   btBoxShape palm_shape_, finger_shape_;
   std::vector<std::unique_ptr<btMultiBodyLinkCollider>> colliders_;
@@ -111,7 +115,8 @@ struct Grip {
 /// What a dropped part counts, so that to drop it is no way to a better figure, mm.
 constexpr double kSlipOfDropped = 10;
 
-/// Whether the part is dropped, and how far it slips while it is held.
+/// Whether the part is dropped, and how far it slips while it is held. A part that the fingers have closed through by
+/// more than half is as good as dropped.
 Case RunGrip(const Conditions& conditions, const Grip& it) {
   constexpr double kCloseTime = 0.3, kLiftTime = 0.4, kHoldTime = 0.8, kSpeed = 0.25;  // s, m/s
   Lab shapes(conditions);                                                              // Owns them.
@@ -142,7 +147,8 @@ Case RunGrip(const Conditions& conditions, const Grip& it) {
     run(0.1);
     const double held = HeightOf(*part) - gripper.Lift();
     run(kHoldTime);
-    dropped = HeightOf(*part) > 0.7 * kSpeed * kLiftTime ? 0 : 1;
+    const bool is_held = HeightOf(*part) > 0.7 * kSpeed * kLiftTime && gripper.Gap() > it.size / 2;
+    dropped = is_held ? 0 : 1;
     slip = std::abs(HeightOf(*part) - gripper.Lift() - held);
   }
   robot.world.removeRigidBody(part.get());
