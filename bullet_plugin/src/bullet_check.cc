@@ -18,8 +18,8 @@ std::string VersionName(int version) {
   return text;
 }
 
-/// Of the Bullet library that is linked, or loaded first. btIsDoublePrecision() is inline: it tells of headers. Of the
-/// functions that only the library has, this one has the same name in both precisions, returns the size of a struct
+/// Of the Bullet library that is linked, or loaded first. btIsDoublePrecision() is inline: it reports the headers. Of
+/// the functions that only the library has, this one has the same name in both precisions, returns the size of a struct
 /// that differs, and reads nothing of its object, whose constructor is inline: no memory is touched by code that takes
 /// it for larger than it is.
 std::string PrecisionOfLibrary() {
@@ -31,7 +31,7 @@ std::string PrecisionOfLibrary() {
 
 }  // namespace
 
-// No function of the library tells its version. A shared one has it in the name that the dynamic linker looks for.
+// No function of the library returns its version. A shared one has it in the name that the dynamic linker looks for.
 void RequireMatchingBullet(int app_version) {
   const std::string own_precision = sizeof(btScalar) == sizeof(double) ? "in double" : "in float";
   const std::string own = "dgd_bullet is compiled for " + VersionName(BT_BULLET_VERSION) + " " + own_precision;

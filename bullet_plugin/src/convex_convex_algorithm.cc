@@ -185,7 +185,8 @@ struct ConvexConvexAlgorithm::Query {
       : shape_a(Adapt(narrowphase, body_a, hull_a)),
         shape_b(Adapt(narrowphase, body_b, hull_b)),
         motion(contacts.motion),
-        result(contacts.result) {}
+        result(contacts.result),
+        lets_pass(contacts.lets_pass) {}
 
   static PosedShape Adapt(Narrowphase& narrowphase, const btCollisionObjectWrapper& body,
                           std::shared_ptr<const CachedHull>& hull) {
@@ -204,6 +205,7 @@ struct ConvexConvexAlgorithm::Query {
 
   // The answer.
   dgd::Result<double>& result;
+  bool& lets_pass;
   bool has_growth_distance = false;  // Else the signed distance, or a plane between the shapes.
   bool is_turned = false;            // The growth distance's normal, to that of least translation.
   bool has_facing = false;           // As what proved the signed distance.
@@ -224,6 +226,7 @@ std::optional<Fallback> ConvexConvexAlgorithm::SolveContacts(const btCollisionOb
   }
   contacts.result = {};
   contacts.motion = {};
+  contacts.lets_pass = false;
   Query query(narrowphase_, body_a, hull_0_, body_b, hull_1_, contacts);
   Recall(is_other_order, query.shape_a.pose, query.shape_b.pose);
   prepare(query, is_swapped);
@@ -274,7 +277,7 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObj
   const PairMotion motion = was_swapped_ ? contacts.motion.Reversed() : contacts.motion;
   WriteContacts(contacts.patch, contacts.result.normal, motion, options, manifold_, output);
   // Bodies that do not touch may be given a speed that makes them.
-  if (had_contact_) {
+  if (had_contact_ && !contacts.lets_pass) {
     RememberRest(*(was_swapped_ ? body_1 : body_0), *(was_swapped_ ? body_0 : body_1), contacts.motion);
   }
   return std::nullopt;
@@ -353,13 +356,21 @@ dgd::ContactPatch<double> ConvexConvexAlgorithm::FindContactPatch(Query& query) 
   const bool is_apart = result.separation > std::min(query.range.touching, 0.0);
   const ContactKind kind = is_apart ? ClassifySpeculative(query) : ContactKind::kPatch;
   if (kind == ContactKind::kNone) return {};
-  if (kind == ContactKind::kPatch) TurnNormal(query);
+  if (kind != ContactKind::kPoint) TurnNormal(query);
   const Options& options = narrowphase_.options();
-  if (kind == ContactKind::kPoint || !options.contact_patch) return WitnessOnly(result);
-  FindFacing(query);
-  dgd::ContactPatch<double> patch = FindPatch(result, query.facing, query.patch_settings, query.motion);
-  if (options.rim_damping) {
-    AddRimPoint(query.shape_a, query.shape_b, result, query.facing, query.patch_settings, query.motion, patch);
+  dgd::ContactPatch<double> patch;
+  if (kind == ContactKind::kPoint || !options.contact_patch) {
+    patch = WitnessOnly(result);
+  } else {
+    FindFacing(query);
+    patch = FindPatch(result, query.facing, query.patch_settings, query.motion);
+    if (options.rim_damping) {
+      AddRimPoint(query.shape_a, query.shape_b, result, query.facing, query.patch_settings, query.motion, patch);
+    }
+  }
+  query.lets_pass = kind == ContactKind::kPassingPatch;
+  if (query.lets_pass) {
+    LetPass(patch, result.normal, query.motion, NegligibleDistance(manifold_.BreakingThreshold()));
   }
   return patch;
 }
@@ -384,11 +395,14 @@ ConvexConvexAlgorithm::ContactKind ConvexConvexAlgorithm::ClassifySpeculative(Qu
   if (!motion.MayApproachBy(result.separation, result.normal))
     return is_touching ? ContactKind::kPatch : ContactKind::kNone;
   if (!is_touching && result.separation > query.range.limit) return ContactKind::kNone;
-  const double flush = FlushOverlap(manifold_.BreakingThreshold());
+  const double flush = NegligibleDistance(manifold_.BreakingThreshold());
   TurnNormal(query);
   FindFacing(query);
-  if (motion.MaxArc() > flush && !MovingPair(query.shape_a, query.shape_b, motion).MeetAlong(result.normal)) {
-    return result.separation <= query.patch_settings.equal_depth ? ContactKind::kPatch : ContactKind::kNone;
+  // Impacts of other bodies may change a motion that does not make them meet. A contact that has no effect otherwise
+  // keeps them apart then; but a rebound would act on it, and in a mesh the next triangle is what they pass to.
+  const bool may_be_knocked = is_touching && !query.is_of_mesh && !query.range.is_rebound;
+  if (result.separation > flush && TurnClear(query.shape_a, query.shape_b, motion, result.normal, flush)) {
+    return may_be_knocked ? ContactKind::kPassingPatch : ContactKind::kNone;
   }
   const Vector3 middle = (result.witness_1 + result.witness_2) / 2;
   if (query.facing.IsInset(flush + motion.Passing(middle, result.normal))) return ContactKind::kPatch;
@@ -402,10 +416,8 @@ ConvexConvexAlgorithm::ContactKind ConvexConvexAlgorithm::ClassifySpeculative(Qu
   if (predicted.encounter == Encounter::kMeet) return ContactKind::kPatch;
   const double separation = predicted.contact.separation;
   if (predicted.encounter == Encounter::kPass) {
-    // Impacts of other bodies may change that. The plane that they pass along keeps them apart then, and has no effect
-    // otherwise; but a rebound would act on it, and in a mesh the next triangle is what they pass to.
     const bool is_plane_between = separation > -flush && separation <= query.range.touching;
-    if (!is_touching || query.is_of_mesh || query.range.is_rebound || !is_plane_between) return ContactKind::kNone;
+    if (!may_be_knocked || !is_plane_between) return ContactKind::kNone;
   }
   result = predicted.contact;
   if (predicted.encounter == Encounter::kPass) result.separation = std::max(separation, 0.0);

@@ -36,6 +36,7 @@ struct PairContacts {
   dgd::ContactPatch<double> patch;
   dgd::Result<double> result;  ///< Its normal points from the call's first body to the second.
   PairMotion motion;           ///< That the patch was found with, in the order that the shapes are solved in.
+  bool lets_pass = false;      ///< The patch's separations are not the shapes' (LetPass()).
 };
 
 class ConvexConvexAlgorithm : public btCollisionAlgorithm {
@@ -120,9 +121,9 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   /// What the shapes show each other along the normal.
   void FindFacing(Query& query);
 
-  /// Which contacts bodies have that are apart, or overlap by less than counts: none, those of their faces, or one at
-  /// the points that will meet, to whose normal the result is turned then.
-  enum class ContactKind { kNone, kPatch, kPoint };
+  /// Which contacts bodies have that are apart, or overlap by less than counts: none, those of their faces, the same
+  /// that let them pass (LetPass()), or one at the points that will meet, to whose normal the result is turned then.
+  enum class ContactKind { kNone, kPatch, kPassingPatch, kPoint };
   ContactKind ClassifySpeculative(Query& query);
 
   /// If neither body has moved since the contacts were found, and nothing else that they come from has changed: brings

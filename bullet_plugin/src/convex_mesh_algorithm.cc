@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "asked_by_app.h"
+#include "contact_distance.h"
 #include "contact_drawer.h"
 #include "contact_reduction.h"
 #include "convex_convex_algorithm.h"
@@ -260,7 +261,7 @@ bool ConvexMeshAlgorithm::FindContacts(const btCollisionObjectWrapper& convex, c
                             .range = range,
                             .patch_settings = PatchSettingsOf(options, shared, range, is_asked),
                             .angular_tolerance = options.angular_tolerance,
-                            .flush = FlushOverlap(shared.BreakingThreshold()),
+                            .flush = NegligibleDistance(shared.BreakingThreshold()),
                             .is_asked = is_asked};
   TriangleVisit visit(convex, mesh, info, query, *m_dispatcher, *step_, output);
   visit.Gather();

@@ -20,6 +20,7 @@
 #include "dgd/half_space_patch.h"
 #include "just_touching.h"
 #include "pair_contacts.h"
+#include "pair_impact.h"
 #include "pair_motion.h"
 #include "pair_patch.h"
 #include "resting_pair.h"
@@ -67,23 +68,6 @@ dgd::ContactPatch<double> FindPatchOnPlane(const PosedShape& shape, const dgd::R
   dgd::ContactPatch<double> patch = FindPatch(result, facing, settings, motion);
   if (options.rim_damping) AddRimPoint(shape, result, facing, settings, motion, patch);
   return patch;
-}
-
-/// Whether a body's turning takes it past a plane that its points approach along straight lines: half way through the
-/// step and at its end it is clear of it.
-bool TurnsClear(const PosedShape& shape, const Pose& plane, const dgd::Result<double>& result, const PairMotion& motion,
-                const PairManifold& manifold) {
-  const double flush = FlushOverlap(manifold.BreakingThreshold());
-  if (!(result.separation > flush && motion.MaxArc() > flush)) return false;
-  const dgd::Motion<double> way_of_shape = motion.MotionOfA(shape.pose), way_of_plane = motion.MotionOfB(plane);
-  for (const double time : {0.5, 1.0}) {
-    PosedShape then = shape;
-    then.pose = way_of_shape.At(time);
-    const Pose plane_then = way_of_plane.At(time);
-    const Vector3 up = plane_then.rotation.col(2);
-    if (up.dot(SupportPoint(then, -up) - plane_then.translation) <= 0) return false;
-  }
-  return true;
 }
 
 }  // namespace
@@ -148,15 +132,24 @@ std::optional<Fallback> ConvexPlaneAlgorithm::FindContacts(const btCollisionObje
   if (result.status == dgd::Status::kInvalidInput) return Fallback::kInvalid;
   outcome.iterations = result.iterations;
   dgd::ContactPatch<double> patch;
-  if (!is_out_of_reach(result.separation) && !TurnsClear(posed, pose_of_plane, result, motion, manifold_)) {
+  bool turns_clear = false;
+  if (!is_out_of_reach(result.separation)) {
     outcome.way = PairOutcome::Way::kSolved;
-    const auto settings = PatchSettingsOf(options, manifold_, range, IsAskedByApp(output));
-    patch = options.contact_patch ? FindPatchOnPlane(posed, result, settings, motion, options) : WitnessOnly(result);
+    const double flush = NegligibleDistance(manifold_.BreakingThreshold());
+    // As with two convex shapes; a point of the plane is enough of it.
+    const PosedShape point_of_plane{dgd::RoundedSet{dgd::Point<double>(), 0.0}, pose_of_plane};
+    turns_clear = result.separation > flush && TurnClear(posed, point_of_plane, motion, result.normal, flush);
+    const bool may_be_knocked = result.separation <= range.touching && !range.is_rebound;
+    if (!turns_clear || may_be_knocked) {
+      const auto settings = PatchSettingsOf(options, manifold_, range, IsAskedByApp(output));
+      patch = options.contact_patch ? FindPatchOnPlane(posed, result, settings, motion, options) : WitnessOnly(result);
+    }
+    if (turns_clear) LetPass(patch, result.normal, motion, flush);
   }
   outcome.patch_size = patch.size;
   Count(outcome, convex);
   WriteContacts(patch, result.normal, motion, options, manifold_, output);
-  RememberRest(convex, plane, motion);
+  if (!turns_clear) RememberRest(convex, plane, motion);
   return std::nullopt;
 } catch (const std::bad_alloc&) {
   return Fallback::kNoMemory;  // For a hull.

@@ -10,7 +10,7 @@ namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 namespace {
 
-/// A body that moves on past a triangle comes to its plane with one part after another: so many are followed.
+/// A body that moves past a triangle reaches its plane with one part after another: at most so many are followed.
 constexpr int kMostParts = 4;
 
 /// What the shapes show each other along result.normal.
@@ -46,10 +46,7 @@ dgd::ContactPatch<double> FindFaceContacts(PosedShape shape, const PosedShape& t
   const double approach = motion.Approach(deepest, normal);
   const bool is_ahead = result.separation > std::max(query.range.touching, 0.0);
   if (is_ahead && (result.separation > query.range.limit || !(approach >= result.separation))) return {};
-  if (result.separation > query.flush && motion.MaxArc() > query.flush &&
-      !MovingPair(shape, triangle, motion).MeetAlong(normal)) {
-    return {};
-  }
+  if (result.separation > query.flush && TurnClear(shape, triangle, motion, normal, query.flush)) return {};
   const Vector3 way_across = is_ahead ? WayAcross(motion, deepest, normal) : Vector3(Vector3::Zero());
 
   // Moved to where its deepest part meets the plane, the body may show the triangle another part, which meets it later.

@@ -16,7 +16,7 @@ struct TriangleQuery {
   ContactRange range;
   dgd::PatchSettings<double> patch_settings;
   double angular_tolerance;  ///< Radians: Options::angular_tolerance.
-  double flush;              ///< Metres: FlushOverlap().
+  double flush;              ///< Metres: NegligibleDistance().
   bool is_asked;             ///< By an app, for the contacts themselves.
 };
 

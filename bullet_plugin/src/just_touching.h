@@ -1,15 +1,16 @@
 // Bodies that touch overlap, for an app that looks.
 //
-// Apps tell by the sign of a contact's distance whether two bodies touch or only may. Bullet's own narrowphase meets
+// Apps take the sign of a contact's distance for whether two bodies touch. Bullet's own narrowphase meets
 // bodies once they overlap, so that each impact and each rest shows an overlap. Here a body is met ahead of touching,
-// and comes to rest as far from its support as roundoff has it. So a contact that this step closes, and a near one that
-// carried something in the last step, is shown as just touching. The solver is told the gap all the same: it takes an
-// overlap times the point's error reduction per time step for what to give back, and a gap is a negative one.
+// and rests as far from its support as roundoff leaves it. So a contact that this step closes, and a near one that
+// carried something in the last step, is shown as just touching. The solver still gets the gap: it pushes bodies apart
+// by an overlap times the point's error reduction per time step, and a gap is a negative push.
 #pragma once
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
 #include "bullet_conversions.h"
+#include "contact_distance.h"
 #include "dgd_bullet/linkage.h"
 #include "pair_motion.h"
 
@@ -27,12 +28,11 @@ inline bool IsLoaded(const btPersistentManifold& manifold) {
   return false;
 }
 
-/// Shows points of a pair's own manifold as touching, once callbacks have had their say on their material.
+/// Shows points of a pair's own manifold as touching, once callbacks have set their material.
 /// @param was_loaded  Whether a point of the pair carried something in the last step.
 /// @param motion      Of the manifold's bodies, in its order.
 inline void ShowTouching(btPersistentManifold& manifold, bool was_loaded, const PairMotion& motion) {
-  // Of the breaking threshold: bodies at rest tremble by less.
-  const btScalar near = btScalar(1e-3) * manifold.getContactBreakingThreshold();
+  const auto near = btScalar(NegligibleDistance(double(manifold.getContactBreakingThreshold())));
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     btManifoldPoint& point = manifold.getContactPoint(i);
     const btScalar gap = point.m_distance1;

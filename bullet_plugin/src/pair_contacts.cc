@@ -19,9 +19,6 @@ namespace {
 /// anybody: picometres.
 constexpr double kEqualDepth = 1e-3, kNoDepth = 1e-10;
 
-/// Of the breaking threshold: bodies at rest tremble by less.
-constexpr double kTouching = 1e-3;
-
 bool Rebounds(const btManifoldResult& output) {
   return gCalculateCombinedRestitutionCallback(output.getBody0Internal(), output.getBody1Internal()) > 0;
 }
@@ -51,7 +48,7 @@ ContactRange RangeOfContacts(const Options& options, const PairManifold& manifol
     // Bodies that only touch must not share an impact that one of them is about to take: it passes on from each to the
     // next.
     const bool is_loaded = !manifold.IsEmpty() && IsLoaded(*manifold);
-    touching = (is_loaded ? 1 : -1) * kTouching * breaking_threshold;
+    touching = (is_loaded ? 1 : -1) * NegligibleDistance(breaking_threshold);
   }
   const double limit =
       options.speculative_contacts ? std::numeric_limits<double>::infinity() : std::max(touching, breaking_threshold);

@@ -43,9 +43,6 @@ inline double SeparationLimit(const ContactRange& range, const PairMotion& motio
   return std::max(range.touching, std::min(motion.MaxApproach(), range.limit));
 }
 
-/// Overlap that does not count when bodies pass each other: metres, for a manifold with this breaking threshold.
-constexpr double FlushOverlap(double breaking_threshold) { return 1e-3 * breaking_threshold; }
-
 /// Whether contacts may be kept from step to step, so that they come from other poses than this step's.
 bool MayKeepContacts(const Options& options, const PairManifold& manifold);
 

@@ -32,14 +32,6 @@ double MovingPair::SeparationAlong(const Vector3& normal) const {
   return normal.dot(SupportPoint(b_, -normal) - SupportPoint(a_, normal));
 }
 
-bool MovingPair::MeetAlong(const Vector3& normal) {
-  for (const double time : {0.5, 1.0}) {
-    MoveTo(time);
-    if (SeparationAlong(normal) <= 0) return true;
-  }
-  return false;
-}
-
 dgd::Result<double> MovingPair::Distance(const dgd::Settings<double>& settings, bool follows,
                                          dgd::WarmStart<double>& warm_start) const {
   dgd::Result<double> result;
@@ -62,6 +54,25 @@ dgd::Result<double> MovingPair::AtStart(dgd::Result<double> contact) const {
   contact.witness_1 = place + normal.dot(on_a - place) * normal;
   contact.witness_2 = contact.witness_1 + contact.separation * normal;
   return contact;
+}
+
+bool TurnClear(const PosedShape& shape_a, const PosedShape& shape_b, const PairMotion& motion, const Vector3& normal,
+               double flush) {
+  if (!(motion.MaxArc() > flush)) return false;
+  MovingPair pair(shape_a, shape_b, motion);
+  for (const double time : {0.5, 1.0}) {
+    pair.MoveTo(time);
+    if (pair.SeparationAlong(normal) <= 0) return false;
+  }
+  return true;
+}
+
+void LetPass(dgd::ContactPatch<double>& patch, const Vector3& normal, const PairMotion& motion, double flush) {
+  for (int i = 0; i < patch.size; ++i) {
+    dgd::ContactPoint<double>& point = patch.points[static_cast<std::size_t>(i)];
+    point.separation = std::max(point.separation, motion.Approach(point.on_2, normal) + flush);
+    point.on_1 = point.on_2 - point.separation * normal;
+  }
 }
 
 PredictedEncounter PredictEncounter(MovingPair& pair, const dgd::Settings<double>& settings,

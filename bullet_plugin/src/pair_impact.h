@@ -1,6 +1,7 @@
 // What becomes of two bodies that approach each other, within the time step.
 #pragma once
 
+#include "dgd/contact_patch.h"
 #include "dgd/growth_distance.h"
 #include "dgd/motion.h"
 #include "dgd_bullet/linkage.h"
@@ -26,10 +27,6 @@ class MovingPair {
   /// Along a normal from A to B, where the shapes are; metres.
   double SeparationAlong(const Vector3& normal) const;
 
-  /// Whether the shapes overlap along a normal from A to B half way through the step or at its end. The shapes are
-  /// moved.
-  bool MeetAlong(const Vector3& normal);
-
   /// The signed distance where the shapes are.
   /// @param follows  Whether FollowDistance() can go on from the warm start.
   dgd::Result<double> Distance(const dgd::Settings<double>& settings, bool follows,
@@ -47,6 +44,17 @@ class MovingPair {
   const double share_of_a_;
   double time_ = 0;
 };
+
+/// Whether turning takes the shapes clear of each other, which approach along straight lines: they are apart along
+/// `normal` (unit, from A to B) half way through the step and at its end. Only if turning takes points off those lines
+/// by more than `flush`, metres.
+bool TurnClear(const PosedShape& shape_a, const PosedShape& shape_b, const PairMotion& motion, const Vector3& normal,
+               double flush);
+
+/// Moves the points of a patch apart by as much as a straight motion brings them together, and `flush`: they have no
+/// effect then unless other bodies' impacts change the motion.
+/// @param normal  From A to B, unit.
+void LetPass(dgd::ContactPatch<double>& patch, const Vector3& normal, const PairMotion& motion, double flush);
 
 enum class Encounter {
   kMeet,       ///< They meet on about the plane that is between them now.

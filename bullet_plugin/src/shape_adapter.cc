@@ -25,6 +25,21 @@ Vector3 CoreOf(const btBoxShape& box, btScalar edge_radius) {
   return FromBullet(btVector3(Extent(half.x()), Extent(half.y()), Extent(half.z())));
 }
 
+/// The hull of a shape's points, kept in `hull` from one call to the next.
+dgd::CoreReference<dgd::Polytope<double>> HullOf(const btConvexShape& shape, HullCache& cache,
+                                                 std::shared_ptr<const CachedHull>& hull) {
+  if (hull == nullptr || !hull->Matches(shape)) hull = cache.Find(shape);
+  return dgd::CoreReference(hull->Core());
+}
+
+/// Spheres of one radius are the hull of their centres with that radius.
+PosedShape AdaptSpheres(const btMultiSphereShape& spheres, const btTransform& transform, HullCache& cache,
+                        std::shared_ptr<const CachedHull>& hull) {
+  const double radius = dgd::RequireLength(SmallestRadius(spheres), true, "radius of a multi-sphere");
+  if (HaveOneRadius(spheres)) return {dgd::RoundedSet{HullOf(spheres, cache, hull), radius}, FromBullet(transform)};
+  return {dgd::RoundedSet{CoreOfSpheres(spheres), radius}, FromBullet(transform)};
+}
+
 }  // namespace
 
 int UpAxis(const btConvexShape& shape) {
@@ -51,7 +66,7 @@ PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, 
   const double margin = dgd::RequireLength(double(shape.getMargin()), true, "collision margin");
   // Of what has a margin besides its core.
   const bool is_sharp = geometry == GeometryMode::kSharp;
-  double radius = is_sharp ? 0 : margin;
+  const double radius = is_sharp ? 0 : margin;
   switch (type) {
     case SPHERE_SHAPE_PROXYTYPE:
       // Its margin is its radius.
@@ -90,20 +105,14 @@ PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, 
     }
     case MULTI_SPHERE_SHAPE_PROXYTYPE: {
       const auto& spheres = static_cast<const btMultiSphereShape&>(shape);
-      if (!AreSpheres(spheres)) break;
-      const double smallest = dgd::RequireLength(SmallestRadius(spheres), true, "radius of a multi-sphere");
-      if (HaveOneRadius(spheres)) {
-        radius = smallest;  // Around the hull of their centres.
-        break;
-      }
-      return {dgd::RoundedSet{CoreOfSpheres(spheres), smallest}, FromBullet(transform)};
+      if (AreSpheres(spheres)) return AdaptSpheres(spheres, transform, cache, hull);
+      break;
     }
     default:
       break;
   }
   if (!IsHullOfPoints(shape)) return {dgd::RoundedSet{ThroughBullet(shape, radius), radius}, FromBullet(transform)};
-  if (hull == nullptr || !hull->Matches(shape)) hull = cache.Find(shape);
-  return {dgd::RoundedSet{dgd::CoreReference(hull->Core()), radius}, FromBullet(transform)};
+  return {dgd::RoundedSet{HullOf(shape, cache, hull), radius}, FromBullet(transform)};
 }
 
 bool ShowsFaces(const btCollisionShape& shape) {

@@ -108,7 +108,7 @@ void Shatter(Pieces& pieces, const Break& it, double mass) {
 
 /// Energy that comes from nowhere just after the break, deepest overlap, speed when all should rest, and lost pieces.
 Case RunBreak(const Conditions& conditions, const Break& it) {
-  constexpr double kMass = 8, kRestTime = 2.5, kMeasureTime = 0.3;  // kg, s
+  constexpr double kMass = 8, kRestTime = 4, kMeasureTime = 0.3;  // kg, s
   Lab lab(conditions);
   lab.AddGround(it.ground, btTransform::getIdentity(), {}, {.friction = 1});
   Pieces pieces(lab);

@@ -142,14 +142,21 @@ bool TurningCubeMeets(double start, double angle, double sinks) {
   // Its corner is on its way down as fast as the rim turns: along a straight line it would be far below the top.
   const Vector3 corner = cube.pose * Vector3(0.2, 0, -0.2);
   EXPECT_GT(motion.Approach(corner, -Vector3::UnitZ()), 0.02);
-  return dgd_bullet::MovingPair(cube, tile, motion).MeetAlong(-Vector3::UnitZ());
+  const bool turns_clear = dgd_bullet::TurnClear(cube, tile, motion, -Vector3::UnitZ(), kFlush);
+  // A contact that is handed over all the same is not closed by the straight motion.
+  dgd::ContactPatch<double> patch;
+  patch.size = 1;
+  patch.points[0] = {corner, {corner.x(), corner.y(), 0}, corner.z()};
+  dgd_bullet::LetPass(patch, -Vector3::UnitZ(), motion, kFlush);
+  EXPECT_GT(patch.points[0].separation, motion.Approach(patch.points[0].on_2, -Vector3::UnitZ()));
+  return !turns_clear;
 }
 
-TEST(MeetAlong, CubeThatTurnsClear_DoesNotMeet) {
+TEST(TurnClear, CubeThatTurnsClear_DoesNotMeet) {
   for (const double angle : {0.3, 0.8, 1.5}) EXPECT_FALSE(TurningCubeMeets(0.5, angle, 0)) << angle;
 }
 
-TEST(MeetAlong, CubeThatSinksAsItTurns_Meets) {
+TEST(TurnClear, CubeThatSinksAsItTurns_Meets) {
   // At the end of the step, and half way only: a face is down at the end.
   EXPECT_TRUE(TurningCubeMeets(0.5, 0.3, 0.01));
   EXPECT_TRUE(TurningCubeMeets(std::numbers::pi / 8, std::numbers::pi / 4, 0.006));
