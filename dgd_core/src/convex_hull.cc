@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "hull_facets.h"
+
 extern "C" {
 #include <libqhull_r/qhull_ra.h>
 }
@@ -67,28 +69,6 @@ AffineFrame FindAffineFrame(std::span<const Vector3d> points) {
     frame.dimension = dimension + 1;
   }
   return frame;
-}
-
-void AddFacet(ConvexHull& hull, const Vector3d& normal, const std::vector<VertexId>& loop) {
-  if (hull.facet_start.empty()) hull.facet_start.push_back(0);
-  hull.normals.push_back(normal);
-  hull.facet_vertices.insert(hull.facet_vertices.end(), loop.begin(), loop.end());
-  hull.facet_start.push_back(static_cast<int>(hull.facet_vertices.size()));
-}
-
-/// Vertex -> facets, by counting sort over facet -> vertices.
-void InvertFacets(ConvexHull& hull) {
-  hull.vertex_start.assign(hull.vertices.size() + 1, 0);
-  for (const VertexId vertex : hull.facet_vertices) ++hull.vertex_start[vertex + 1];
-  std::partial_sum(hull.vertex_start.begin(), hull.vertex_start.end(), hull.vertex_start.begin());
-  hull.vertex_facets.resize(hull.facet_vertices.size());
-  std::vector<int> next = hull.vertex_start;
-  for (std::size_t facet = 0; facet < hull.normals.size(); ++facet) {
-    for (int i = hull.facet_start[facet]; i < hull.facet_start[facet + 1]; ++i) {
-      const VertexId vertex = hull.facet_vertices[static_cast<std::size_t>(i)];
-      hull.vertex_facets[static_cast<std::size_t>(next[vertex]++)] = static_cast<int>(facet);
-    }
-  }
 }
 
 Vector3d MeanOf(const std::vector<Vector3d>& points) {
@@ -346,6 +326,28 @@ ConvexHull SolidHull(std::span<const Vector3d> points, const AffineFrame& frame)
 }
 
 }  // namespace
+
+void AddFacet(ConvexHull& hull, const Vector3d& normal, std::span<const VertexId> loop) {
+  if (hull.facet_start.empty()) hull.facet_start.push_back(0);
+  hull.normals.push_back(normal);
+  hull.facet_vertices.insert(hull.facet_vertices.end(), loop.begin(), loop.end());
+  hull.facet_start.push_back(static_cast<int>(hull.facet_vertices.size()));
+}
+
+// By counting sort over facet -> vertices.
+void InvertFacets(ConvexHull& hull) {
+  hull.vertex_start.assign(hull.vertices.size() + 1, 0);
+  for (const VertexId vertex : hull.facet_vertices) ++hull.vertex_start[vertex + 1];
+  std::partial_sum(hull.vertex_start.begin(), hull.vertex_start.end(), hull.vertex_start.begin());
+  hull.vertex_facets.resize(hull.facet_vertices.size());
+  std::vector<int> next = hull.vertex_start;
+  for (std::size_t facet = 0; facet < hull.normals.size(); ++facet) {
+    for (int i = hull.facet_start[facet]; i < hull.facet_start[facet + 1]; ++i) {
+      const VertexId vertex = hull.facet_vertices[static_cast<std::size_t>(i)];
+      hull.vertex_facets[static_cast<std::size_t>(next[vertex]++)] = static_cast<int>(facet);
+    }
+  }
+}
 
 ConvexHull BuildConvexHull(std::span<const Vector3d> points) {
   RequireFinitePoints(points);

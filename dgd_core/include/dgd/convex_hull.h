@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,13 +16,13 @@ namespace dgd {
 /// and a closing end: list i is [start[i], start[i + 1]).
 struct ConvexHull {
   int dimension = 0;                      ///< 3: solid. 2: flat, two facets back to back. 1: segment. 0: point.
-  std::vector<Eigen::Vector3d> vertices;  ///< Extreme points only, metres.
+  std::vector<Eigen::Vector3d> vertices;  ///< Extreme points only, but for HullWithoutFacets(); metres.
   std::vector<Eigen::Vector3d> normals;   ///< Outward unit normal of each facet; empty below dimension 2.
   std::vector<int> facet_start;           ///< Facet -> its vertices ...
   std::vector<VertexId> facet_vertices;   ///< ... counterclockwise seen from outside; coplanar triangles are merged.
   std::vector<int> vertex_start;          ///< Vertex -> the facets around it ...
   std::vector<int> vertex_facets;         ///< ... in no order.
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< Centroid of the volume, area, length or point.
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< Centroid; of points without facets, their mean.
   double inradius = 0;  ///< Safe lower bound on the radius of the ball about the centre; 0 below dimension 3, metres.
 };
 
@@ -37,5 +38,20 @@ inline constexpr double kMostCoordinate = 1e75;
 /// Throws std::invalid_argument if there are none or one is not finite or farther away, naming its index; or if Qhull
 /// finds no hull of points that are clearly not flat, saying why. Flat input is not an error: the dimension says it.
 DGD_EXPORT ConvexHull BuildConvexHull(std::span<const Eigen::Vector3d> points);
+
+/// Points as a hull that has no facets yet: what support functions need, in a hundredth of the time. Its vertices are
+/// the points in their order, interior ones among them; of few points, duplicates are dropped. Its centre is their
+/// mean.
+/// @return nothing for points that are flat, or thin, or few, or not all within kMostCoordinate: BuildConvexHull() says
+///         what these are.
+std::optional<ConvexHull> HullWithoutFacets(std::span<const Eigen::Vector3d> points);
+
+inline bool HasFacets(const ConvexHull& hull) { return hull.dimension < 3 || !hull.normals.empty(); }
+
+/// The same with its facets, about the same centre. Of up to kMostScannedVertices points it has the same vertices, and
+/// the facets that FindFacet() finds: queries of the two agree to the last bit, unless points are so near to an edge
+/// that roundoff decides which of its triangles are facets.
+/// @param hull  From HullWithoutFacets(). Throws as BuildConvexHull().
+ConvexHull WithFacets(const ConvexHull& hull);
 
 }  // namespace dgd

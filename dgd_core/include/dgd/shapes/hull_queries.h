@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 #include "dgd/convex_hull.h"
 #include "dgd/shapes/triangle.h"
@@ -31,7 +32,7 @@ inline Eigen::Matrix3d SpreadOfVertices(const ConvexHull& hull) {
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
   for (const Eigen::Vector3d& vertex : hull.vertices) {
     const Eigen::Vector3d from_center = vertex - hull.center;
-    moments += from_center * from_center.transpose();
+    moments.noalias() += from_center * from_center.transpose();
   }
   return 3 / static_cast<double>(hull.vertices.size()) * moments;
 }
@@ -45,6 +46,7 @@ inline double SupportValueOf(const ConvexHull& hull, const Eigen::Vector3d& dire
 
 /// Distance of `point` to the hull, metres; 0 inside. Looks at every facet.
 inline double DistanceTo(const ConvexHull& hull, const Eigen::Vector3d& point) {
+  if (!HasFacets(hull)) return DistanceTo(WithFacets(hull), point);
   if (hull.dimension < 2) {
     const Eigen::Vector3d& end = hull.vertices.back();
     return (ClosestPointOnTriangle<double>(point, hull.vertices.front(), end, end) - point).norm();
@@ -73,6 +75,45 @@ inline double DistanceTo(const ConvexHull& hull, const Eigen::Vector3d& point) {
   return outside ? nearest : 0;
 }
 
+/// The place of the facet around `vertex`, the support vertex along d, whose normal is nearest to d; some facet if d is
+/// NaN. A point on a facet, which is as high as the facet's corners, has none around it: then of all facets.
+/// @pre Of dimension 2 or 3, with facets.
+inline std::size_t NearestFacet(const ConvexHull& hull, VertexId vertex, const Eigen::Vector3d& d) {
+  auto begin = static_cast<std::size_t>(hull.vertex_start[vertex]);
+  auto end = static_cast<std::size_t>(hull.vertex_start[vertex + 1]);
+  if (begin == end) {
+    begin = 0;
+    end = hull.vertex_facets.size();
+  }
+  auto nearest = static_cast<std::size_t>(hull.vertex_facets[begin]);
+  double best_alignment = hull.normals[nearest].dot(d);
+  for (std::size_t i = begin + 1; i < end; ++i) {
+    const auto facet = static_cast<std::size_t>(hull.vertex_facets[i]);
+    const double alignment = hull.normals[facet].dot(d);
+    if (alignment > best_alignment) {
+      best_alignment = alignment;
+      nearest = facet;
+    }
+  }
+  return nearest;
+}
+
+/// A facet's vertices, thinned from the support vertex on, which stays, if they are too many.
+template <class S>
+void AddVertices(const ConvexHull& hull, std::span<const VertexId> vertices, VertexId support,
+                 SupportingFace<S>& face) {
+  const auto add = [&](VertexId vertex) { face.Add(hull.vertices[vertex].template cast<S>()); };
+  constexpr std::size_t kMaxPoints = SupportingFace<S>::kMaxPoints;
+  if (vertices.size() <= kMaxPoints) {
+    for (const VertexId vertex : vertices) add(vertex);
+    return;
+  }
+  const auto first = static_cast<std::size_t>(std::ranges::find(vertices, support) - vertices.begin());
+  for (std::size_t i = 0; i < kMaxPoints; ++i) {
+    add(vertices[(first + i * vertices.size() / kMaxPoints) % vertices.size()]);
+  }
+}
+
 /// Of the facets around `vertex`, the support vertex along `direction`, the one whose normal is nearest to it, or some
 /// facet if the direction is NaN; for hulls below dimension 2 the whole hull.
 template <class S>
@@ -81,32 +122,10 @@ void AddSupportFace(const ConvexHull& hull, VertexId vertex, const Vector3<S>& d
     for (const Eigen::Vector3d& end : hull.vertices) face.Add(end.template cast<S>());
     return;
   }
-  const Eigen::Vector3d d = direction.template cast<double>();
-  const auto first_around = static_cast<std::size_t>(hull.vertex_start[vertex]);
-  const auto end_around = static_cast<std::size_t>(hull.vertex_start[vertex + 1]);
-  auto best_facet = static_cast<std::size_t>(hull.vertex_facets[first_around]);
-  double best_alignment = hull.normals[best_facet].dot(d);
-  for (std::size_t i = first_around + 1; i < end_around; ++i) {
-    const auto facet = static_cast<std::size_t>(hull.vertex_facets[i]);
-    const double alignment = hull.normals[facet].dot(d);
-    if (alignment > best_alignment) {
-      best_alignment = alignment;
-      best_facet = facet;
-    }
-  }
-  const int begin = hull.facet_start[best_facet];
-  const int count = hull.facet_start[best_facet + 1] - begin;
-  const VertexId* facet_vertices = hull.facet_vertices.data() + begin;
-  const auto add = [&](int i) { face.Add(hull.vertices[facet_vertices[i]].template cast<S>()); };
-  constexpr int kMaxPoints = SupportingFace<S>::kMaxPoints;
-  if (count <= kMaxPoints) {
-    for (int i = 0; i < count; ++i) add(i);
-    return;
-  }
-  // Thinned from the support vertex on, which stays.
-  int first = 0;
-  while (facet_vertices[first] != vertex) ++first;
-  for (int i = 0; i < kMaxPoints; ++i) add((first + i * count / kMaxPoints) % count);
+  const std::size_t facet = NearestFacet(hull, vertex, direction.template cast<double>());
+  const auto begin = static_cast<std::size_t>(hull.facet_start[facet]);
+  const std::size_t count = static_cast<std::size_t>(hull.facet_start[facet + 1]) - begin;
+  AddVertices(hull, std::span(hull.facet_vertices).subspan(begin, count), vertex, face);
 }
 
 }  // namespace dgd

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "dgd/convex_hull.h"
 #include "dgd/convex_set.h"
+#include "dgd/point_facet.h"
 #include "dgd/shapes/hull_queries.h"
 #include "dgd/shapes/vertex_climb.h"
 #include "dgd/shapes/vertex_scan.h"
@@ -23,8 +25,10 @@ class Polytope {
   /// @param points  Metres; at least one, all finite, in any order; inner and duplicate points are dropped. Flat ones
   ///                are allowed and have inradius 0. Throws std::invalid_argument otherwise.
   explicit Polytope(std::span<const Eigen::Vector3d> points) : Polytope(BuildConvexHull(points)) {}
+  /// @param hull  May have no facets yet: all vertices are scanned then, and support faces searched for. Float is not
+  ///              exact enough for that, and has the facets built.
   explicit Polytope(ConvexHull hull)
-      : hull_(std::move(hull)),
+      : hull_(kMayLackFacets || HasFacets(hull) ? std::move(hull) : WithFacets(hull)),
         climb_(MustClimb(hull_) ? VertexClimb<S>(hull_) : VertexClimb<S>()),
         scan_(climb_.IsEmpty() ? hull_.vertices : Vertices()),
         center_(hull_.center.template cast<S>()),
@@ -72,13 +76,24 @@ class Polytope {
   /// Of the facets around the support vertex, the one whose normal is nearest to `direction`; for hulls below
   /// dimension 2 the whole hull.
   void SupportFace(const Vector3<S>& direction, SupportingFace<S>& face) const {
-    AddSupportFace(hull_, Support(direction).feature, direction, face);
+    const VertexId vertex = Support(direction).feature;
+    if constexpr (kMayLackFacets) {
+      if (!HasFacets(hull_)) {
+        AddVertices(hull_, FindFacet(hull_.vertices, scan_, vertex, direction).Vertices(), vertex, face);
+        return;
+      }
+    }
+    AddSupportFace(hull_, vertex, direction, face);
   }
 
  private:
   using Vertices = std::vector<Eigen::Vector3d>;
 
-  static bool MustClimb(const ConvexHull& hull) { return hull.dimension == 3 && hull.vertices.size() > kMostScanned; }
+  static constexpr bool kMayLackFacets = std::is_same_v<S, double>;
+
+  static bool MustClimb(const ConvexHull& hull) {
+    return hull.dimension == 3 && HasFacets(hull) && hull.vertices.size() > kMostScanned;
+  }
 
   ConvexHull hull_;
   VertexClimb<S> climb_;  // One of these two is empty.
