@@ -19,7 +19,7 @@ ConvexCast::~ConvexCast() = default;
 bool ConvexCast::calcTimeOfImpact(const btTransform& from_a, const btTransform& to_a, const btTransform& from_b,
                                   const btTransform& to_b, CastResult& result) {
   const MovingShape a{*shape_a_, from_a, to_a, hulls_->a}, b{*shape_b_, from_b, to_b, hulls_->b};
-  const dgd::TimeOfImpactResult<double> impact = SweepShapes(a, b, geometry_, hulls_->cache);
+  const dgd::TimeOfImpactResult<double> impact = SweepShapes(a, b, geometry_, hulls_->cache, HullUse::kApp);
   if (!Meet(impact, a, b)) return false;
   result.m_fraction = RoundDown(impact.time);
   result.m_normal = ToBullet(-impact.normal);

@@ -179,26 +179,29 @@ bool ConvexConvexAlgorithm::CanDoWithoutManifold(const btCollisionObjectWrapper&
 
 struct ConvexConvexAlgorithm::Query {
   /// @param hull_a, hull_b  The shapes' hulls where they have one, which may be known already.
+  /// @param by_app          Whether an app asks, for the contacts themselves.
   /// @param contacts        Where the motion and the result go.
   Query(Narrowphase& narrowphase, const btCollisionObjectWrapper& body_a, std::shared_ptr<const CachedHull>& hull_a,
-        const btCollisionObjectWrapper& body_b, std::shared_ptr<const CachedHull>& hull_b, PairContacts& contacts)
-      : shape_a(Adapt(narrowphase, body_a, hull_a)),
-        shape_b(Adapt(narrowphase, body_b, hull_b)),
+        const btCollisionObjectWrapper& body_b, std::shared_ptr<const CachedHull>& hull_b, bool by_app,
+        PairContacts& contacts)
+      : shape_a(Adapt(narrowphase, body_a, hull_a, by_app)),
+        shape_b(Adapt(narrowphase, body_b, hull_b, by_app)),
+        is_asked(by_app),
         motion(contacts.motion),
         result(contacts.result),
         lets_pass(contacts.lets_pass) {}
 
   static PosedShape Adapt(Narrowphase& narrowphase, const btCollisionObjectWrapper& body,
-                          std::shared_ptr<const CachedHull>& hull) {
+                          std::shared_ptr<const CachedHull>& hull, bool by_app) {
     return AdaptShape(ShapeOf(&body), body.getWorldTransform(), narrowphase.options().geometry_mode,
-                      narrowphase.hulls(), hull);
+                      narrowphase.hulls(), hull, narrowphase.HullUseFor(by_app));
   }
 
   PosedShape shape_a, shape_b;
+  bool is_asked;  // By an app, for the contacts themselves.
   PairMotion& motion;
   ContactRange range;
   dgd::PatchSettings<double> patch_settings;
-  bool is_asked = false;     // By an app, for the contacts themselves.
   bool is_of_mesh = false;   // One of many triangles.
   bool wants_least = false;  // The normal of least translation.
   dgd::Settings<double> settings;
@@ -214,7 +217,7 @@ struct ConvexConvexAlgorithm::Query {
 
 template <class Prepare>
 std::optional<Fallback> ConvexConvexAlgorithm::SolveContacts(const btCollisionObjectWrapper& body_0,
-                                                             const btCollisionObjectWrapper& body_1,
+                                                             const btCollisionObjectWrapper& body_1, bool is_asked,
                                                              const Prepare& prepare, PairContacts& contacts) try {
   const Options& options = narrowphase_.options();
   const bool is_swapped = ComesBefore(body_1, body_0);
@@ -227,7 +230,7 @@ std::optional<Fallback> ConvexConvexAlgorithm::SolveContacts(const btCollisionOb
   contacts.result = {};
   contacts.motion = {};
   contacts.lets_pass = false;
-  Query query(narrowphase_, body_a, hull_0_, body_b, hull_1_, contacts);
+  Query query(narrowphase_, body_a, hull_0_, body_b, hull_1_, is_asked, contacts);
   Recall(is_other_order, query.shape_a.pose, query.shape_b.pose);
   prepare(query, is_swapped);
   query.wants_least = options.normal_mode == NormalMode::kLeastTranslation;
@@ -264,11 +267,10 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObj
       query.motion = MotionOfStep(manifold_, reach_a, reach_b, info);
     }
     query.range = RangeOfContacts(options, manifold_, query.motion, output);
-    query.is_asked = IsAskedByApp(output);
     query.patch_settings = PatchSettingsOf(options, manifold_, query.range, query.is_asked);
   };
   PairContacts contacts;
-  if (const auto failure = SolveContacts(*body_0, *body_1, prepare, contacts)) return failure;
+  if (const auto failure = SolveContacts(*body_0, *body_1, IsAskedByApp(output), prepare, contacts)) return failure;
   if (had_contact_ && !manifold_) {
     had_contact_ = HasManifold(*body_0, *body_1);
     if (!had_contact_) return Fallback::kNoMemory;
@@ -299,9 +301,8 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindTriangleContacts(const btColl
     query.range = triangle_query.range;
     query.is_of_mesh = true;
     query.patch_settings = triangle_query.patch_settings;
-    query.is_asked = triangle_query.is_asked;
   };
-  const std::optional<Fallback> failure = SolveContacts(convex, triangle, prepare, contacts);
+  const std::optional<Fallback> failure = SolveContacts(convex, triangle, triangle_query.is_asked, prepare, contacts);
   if (failure) {
     contacts.patch.size = 0;
     Count(*failure, convex, triangle);
@@ -314,8 +315,8 @@ dgd::ContactPatch<double> ConvexConvexAlgorithm::FindTriangleFaceContacts(const 
                                                                           const Vector3& normal,
                                                                           const TriangleQuery& query) try {
   std::shared_ptr<const CachedHull> no_hull;
-  const PosedShape shape = Query::Adapt(narrowphase_, convex, was_swapped_ ? hull_1_ : hull_0_);
-  return FindFaceContacts(shape, Query::Adapt(narrowphase_, triangle, no_hull), normal, query);
+  const PosedShape shape = Query::Adapt(narrowphase_, convex, was_swapped_ ? hull_1_ : hull_0_, query.is_asked);
+  return FindFaceContacts(shape, Query::Adapt(narrowphase_, triangle, no_hull, query.is_asked), normal, query);
 } catch (const std::exception&) {
   return {};  // FindTriangleContacts() has counted it.
 }
@@ -509,7 +510,7 @@ btScalar ConvexConvexAlgorithm::calculateTimeOfImpact(btCollisionObject* body_0,
   };
   const MovingShape a = moving(*body_0, hull_0_), b = moving(*body_1, hull_1_);
   const dgd::TimeOfImpactResult<double> impact =
-      SweepShapes(a, b, narrowphase_.options().geometry_mode, narrowphase_.hulls());
+      SweepShapes(a, b, narrowphase_.options().geometry_mode, narrowphase_.hulls(), HullUse::kStep);
   if (!Meet(impact, a, b)) return kNever;
   const btScalar fraction = RoundDown(impact.time);
   for (btCollisionObject* body : {body_0, body_1}) body->setHitFraction(std::min(body->getHitFraction(), fraction));

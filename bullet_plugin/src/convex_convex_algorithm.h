@@ -103,11 +103,11 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   struct Query;
 
   /// Solves the pair for its contacts. If that failed: why.
-  /// @param prepare  void(Query& query, bool is_swapped): sets the motion, the distances and who asks; the shapes are
+  /// @param prepare  void(Query& query, bool is_swapped): sets the motion and the distances; the shapes are
   ///                 solved in the other order than the call's if swapped.
   template <class Prepare>
   std::optional<Fallback> SolveContacts(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
-                                        const Prepare& prepare, PairContacts& contacts);
+                                        bool is_asked, const Prepare& prepare, PairContacts& contacts);
 
   /// The pair's normal, and the separation along it: by the last normal where that still tells, else by a search.
   void FindNormal(Query& query);

@@ -122,8 +122,9 @@ std::optional<Fallback> ConvexPlaneAlgorithm::FindContacts(const btCollisionObje
     return std::nullopt;
   }
 
-  const PosedShape posed = AdaptShape(shape, convex.getWorldTransform(),
-                                      GeometryAgainstPlanes(shape, options.geometry_mode), narrowphase_.hulls(), hull_);
+  const PosedShape posed =
+      AdaptShape(shape, convex.getWorldTransform(), GeometryAgainstPlanes(shape, options.geometry_mode),
+                 narrowphase_.hulls(), hull_, narrowphase_.HullUseFor(IsAskedByApp(output)));
   const Pose pose_of_plane{dgd::FrameAlong<double>(border.up), border.point};
   const auto result = std::visit(
       [&](const auto& set) { return dgd::GrowthDistance(set, posed.pose, dgd::HalfSpace<double>(), pose_of_plane); },

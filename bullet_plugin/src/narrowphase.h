@@ -53,6 +53,8 @@ class Narrowphase {
   /// nothing of that.
   bool FollowsMotion() const { return options_.contact_patch; }
   HullCache& hulls() { return hulls_; }
+  /// @param is_asked  By an app, for the contacts themselves.
+  HullUse HullUseFor(bool is_asked) const { return is_asked && options_.warm_start ? HullUse::kApp : HullUse::kStep; }
   Statistics statistics() const;
 
   /// Null unless Options::count_pairs.

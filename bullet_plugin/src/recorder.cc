@@ -175,7 +175,7 @@ class Recorder::Writer {
 
   PosedShape Adapt(const btCollisionObjectWrapper& body, std::shared_ptr<const CachedHull>& hull) {
     return AdaptShape(*static_cast<const btConvexShape*>(body.getCollisionShape()), body.getWorldTransform(),
-                      GeometryMode::kBullet, hulls_, hull);
+                      GeometryMode::kBullet, hulls_, hull, HullUse::kStep);
   }
 
   /// Of a shape of this content, which is written if it is new.

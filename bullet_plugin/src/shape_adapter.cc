@@ -27,16 +27,16 @@ Vector3 CoreOf(const btBoxShape& box, btScalar edge_radius) {
 
 /// The hull of a shape's points, kept in `hull` from one call to the next.
 dgd::CoreReference<dgd::Polytope<double>> HullOf(const btConvexShape& shape, HullCache& cache,
-                                                 std::shared_ptr<const CachedHull>& hull) {
+                                                 std::shared_ptr<const CachedHull>& hull, HullUse use) {
   if (hull == nullptr || !hull->Matches(shape)) hull = cache.Find(shape);
-  return dgd::CoreReference(hull->Core());
+  return dgd::CoreReference(hull->CoreForQuery(use));
 }
 
 /// Spheres of one radius are the hull of their centres with that radius.
 PosedShape AdaptSpheres(const btMultiSphereShape& spheres, const btTransform& transform, HullCache& cache,
-                        std::shared_ptr<const CachedHull>& hull) {
+                        std::shared_ptr<const CachedHull>& hull, HullUse use) {
   const double radius = dgd::RequireLength(SmallestRadius(spheres), true, "radius of a multi-sphere");
-  if (HaveOneRadius(spheres)) return {dgd::RoundedSet{HullOf(spheres, cache, hull), radius}, FromBullet(transform)};
+  if (HaveOneRadius(spheres)) return {dgd::RoundedSet{HullOf(spheres, cache, hull, use), radius}, FromBullet(transform)};
   return {dgd::RoundedSet{CoreOfSpheres(spheres), radius}, FromBullet(transform)};
 }
 
@@ -61,7 +61,7 @@ btScalar EdgeRadius(const btBoxShape& box) {
 }
 
 PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, GeometryMode geometry, HullCache& cache,
-                      std::shared_ptr<const CachedHull>& hull) {
+                      std::shared_ptr<const CachedHull>& hull, HullUse use) {
   const int type = shape.getShapeType();
   const double margin = dgd::RequireLength(double(shape.getMargin()), true, "collision margin");
   // Of what has a margin besides its core.
@@ -105,14 +105,14 @@ PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, 
     }
     case MULTI_SPHERE_SHAPE_PROXYTYPE: {
       const auto& spheres = static_cast<const btMultiSphereShape&>(shape);
-      if (AreSpheres(spheres)) return AdaptSpheres(spheres, transform, cache, hull);
+      if (AreSpheres(spheres)) return AdaptSpheres(spheres, transform, cache, hull, use);
       break;
     }
     default:
       break;
   }
   if (!IsHullOfPoints(shape)) return {dgd::RoundedSet{ThroughBullet(shape, radius), radius}, FromBullet(transform)};
-  return {dgd::RoundedSet{HullOf(shape, cache, hull), radius}, FromBullet(transform)};
+  return {dgd::RoundedSet{HullOf(shape, cache, hull, use), radius}, FromBullet(transform)};
 }
 
 bool ShowsFaces(const btCollisionShape& shape) {

@@ -31,9 +31,10 @@ int UpAxis(const btConvexShape& shape);
 /// Reads a shape. `hull` keeps the hull of point shapes from one call to the next, and is looked up in `cache` when it
 /// is not this shape's, as it is now.
 /// @param geometry  What the shape's surface is.
+/// @param use       Of the hull.
 /// Throws std::invalid_argument if a size or a point is not finite or the shape has no points.
 PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, GeometryMode geometry, HullCache& cache,
-                      std::shared_ptr<const CachedHull>& hull);
+                      std::shared_ptr<const CachedHull>& hull, HullUse use);
 
 /// Whether the set that AdaptShape() makes of a shape shows its faces. What only Bullet can evaluate does not: unequal
 /// spheres, scaled shapes, an app's own. Planes and meshes have faces, too.

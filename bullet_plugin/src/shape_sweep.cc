@@ -29,9 +29,9 @@ Vector3 VelocityAt(const Vector3& point, const Motion& motion) {
 }  // namespace
 
 dgd::TimeOfImpactResult<double> SweepShapes(const MovingShape& a, const MovingShape& b, GeometryMode geometry,
-                                            HullCache& cache) try {
-  PosedShape shape_a = AdaptShape(a.shape, a.from, geometry, cache, a.hull);
-  PosedShape shape_b = AdaptShape(b.shape, b.from, geometry, cache, b.hull);
+                                            HullCache& cache, HullUse use) try {
+  PosedShape shape_a = AdaptShape(a.shape, a.from, geometry, cache, a.hull, use);
+  PosedShape shape_b = AdaptShape(b.shape, b.from, geometry, cache, b.hull, use);
   MoveCentersTogether(shape_a, shape_b);
   const Motion way_a = WayOf(a, shape_a), way_b = WayOf(b, shape_b);
   if (IsInOrder(shape_a, shape_b)) return SweepPair(shape_a, way_a, shape_b, way_b, {});

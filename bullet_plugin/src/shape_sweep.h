@@ -24,7 +24,7 @@ struct MovingShape {
 
 /// kInvalidInput if a shape is none. Does not throw.
 dgd::TimeOfImpactResult<double> SweepShapes(const MovingShape& a, const MovingShape& b, GeometryMode geometry,
-                                            HullCache& cache);
+                                            HullCache& cache, HullUse use);
 
 /// Whether the answer is that the shapes meet, or may: what a sweep could not decide counts as met, since a body that
 /// stops early is seen, and one that is let through is lost. Shapes that touch from the start and move apart do not

@@ -23,8 +23,9 @@ class Body {
       : wrapper_(nullptr, &shape, &object_, object_.getWorldTransform(), -1, -1) {
     object_.setCollisionShape(&shape);
     std::shared_ptr<const dgd_bullet::CachedHull> hull;
-    adapted_ = std::make_unique<PosedShape>(
-        dgd_bullet::AdaptShape(shape, object_.getWorldTransform(), dgd_bullet::GeometryMode::kBullet, cache, hull));
+    adapted_ = std::make_unique<PosedShape>(dgd_bullet::AdaptShape(shape, object_.getWorldTransform(),
+                                                                   dgd_bullet::GeometryMode::kBullet, cache, hull,
+                                                                   dgd_bullet::HullUse::kStep));
   }
   const btCollisionObjectWrapper& Wrapper() const { return wrapper_; }
   const PosedShape& Adapted() const { return *adapted_; }
