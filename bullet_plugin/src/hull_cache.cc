@@ -34,12 +34,13 @@ dgd::ConvexHull HullOf(const std::vector<Vector3>& points) {
   return hull ? *std::move(hull) : dgd::BuildConvexHull(points);
 }
 
-/// Queries of a hull without facets, at least; 128 on average, by which the hulls of polytopes_50 have lost what Qhull
-/// takes (contact_report under callgrind: 16 and 19 million instructions).
-constexpr int kScannedQueries = 64;
+/// Queries of a hull without facets, at least. With 64 on average, these and the facets cost a fall of the fifty
+/// polytopes 1 % more than facets from the start (dispatcher_replay); with twice as many 3 %; with three quarters of
+/// them, the facets of many come within the first frame of a fracture (first_query).
+constexpr int kScannedQueries = 24;
 /// Hulls that are made together, as the pieces of a fracture are, are queried equally often: their facets are spread
 /// over so many queries more.
-constexpr unsigned kSpread = 128;
+constexpr unsigned kSpread = 80;
 
 /// Where this thread keeps the hull that it last found for the shape, or for another in its place. Of whichever cache:
 /// a hull that matches a shape is the shape's.

@@ -36,7 +36,8 @@ dgd::CoreReference<dgd::Polytope<double>> HullOf(const btConvexShape& shape, Hul
 PosedShape AdaptSpheres(const btMultiSphereShape& spheres, const btTransform& transform, HullCache& cache,
                         std::shared_ptr<const CachedHull>& hull, HullUse use) {
   const double radius = dgd::RequireLength(SmallestRadius(spheres), true, "radius of a multi-sphere");
-  if (HaveOneRadius(spheres)) return {dgd::RoundedSet{HullOf(spheres, cache, hull, use), radius}, FromBullet(transform)};
+  if (HaveOneRadius(spheres))
+    return {dgd::RoundedSet{HullOf(spheres, cache, hull, use), radius}, FromBullet(transform)};
   return {dgd::RoundedSet{CoreOfSpheres(spheres), radius}, FromBullet(transform)};
 }
 

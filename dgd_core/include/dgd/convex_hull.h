@@ -44,7 +44,7 @@ DGD_EXPORT ConvexHull BuildConvexHull(std::span<const Eigen::Vector3d> points);
 /// mean.
 /// @return nothing for points that are flat, or thin, or few, or not all within kMostCoordinate: BuildConvexHull() says
 ///         what these are.
-std::optional<ConvexHull> HullWithoutFacets(std::span<const Eigen::Vector3d> points);
+DGD_EXPORT std::optional<ConvexHull> HullWithoutFacets(std::span<const Eigen::Vector3d> points);
 
 inline bool HasFacets(const ConvexHull& hull) { return hull.dimension < 3 || !hull.normals.empty(); }
 
@@ -52,6 +52,6 @@ inline bool HasFacets(const ConvexHull& hull) { return hull.dimension < 3 || !hu
 /// the facets that FindFacet() finds: queries of the two agree to the last bit, unless points are so near to an edge
 /// that roundoff decides which of its triangles are facets.
 /// @param hull  From HullWithoutFacets(). Throws as BuildConvexHull().
-ConvexHull WithFacets(const ConvexHull& hull);
+DGD_EXPORT ConvexHull WithFacets(const ConvexHull& hull);
 
 }  // namespace dgd

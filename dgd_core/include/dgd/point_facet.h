@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 
+#include "dgd/export.h"
 #include "dgd/shapes/vertex_scan.h"
 #include "dgd/types.h"
 
@@ -31,7 +32,7 @@ struct PointFacet {
 /// @param direction  Of any length.
 /// @return the support point alone if the direction is zero or NaN, or where roundoff hides the facets around it.
 /// Does not allocate or throw.
-PointFacet FindFacet(std::span<const Eigen::Vector3d> points, const PointArrays<double>& scan, VertexId support,
-                     const Eigen::Vector3d& direction);
+DGD_EXPORT PointFacet FindFacet(std::span<const Eigen::Vector3d> points, const PointArrays<double>& scan,
+                                VertexId support, const Eigen::Vector3d& direction);
 
 }  // namespace dgd
