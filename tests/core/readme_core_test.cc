@@ -1,4 +1,4 @@
-// The README's section "Use the core alone": its snippets, word for word, and what they should give.
+// The snippets of the core's README, word for word, and what they should give.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -208,7 +208,7 @@ TEST(ReadmeCore, Certificate_HoldsForTheResult) {
 // So that the README's code is the code that is compiled and tested here.
 TEST(ReadmeCore, Snippets_AreTheseWordForWord) {
   const std::string folder = DGD_TEST_CORE_FOLDER;
-  const int snippets = dgd_test::ExpectSnippetsIn(folder + "/../../README.md", "## Use the core alone",
+  const int snippets = dgd_test::ExpectSnippetsIn(folder + "/../../dgd_core/README.md",
                                                   {folder + "/readme/trajectory.cc", folder + "/readme_core_test.cc"});
   EXPECT_EQ(snippets, 11);
 }

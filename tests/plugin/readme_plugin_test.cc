@@ -1,4 +1,4 @@
-// The README's section "Use it in your app": its snippets, word for word, and what they should give.
+// The snippets of the plugin's README, word for word, and what they should give.
 #include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>
 #include <btBulletDynamicsCommon.h>
 #include <gtest/gtest.h>
@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "dgd_bullet/collision_configuration.h"
 #include "dgd_bullet/convex_cast.h"
@@ -111,9 +112,9 @@ TEST(ReadmePlugin, Recorder_WritesThePairs) {
 
 TEST(ReadmePlugin, Snippets_AreTheseWordForWord) {
   const std::string root = DGD_TEST_ROOT;
-  EXPECT_EQ(dgd_test::ExpectSnippetsIn(root + "/README.md", "## Use it in your app",
-                                       {root + "/tests/plugin/readme_plugin_test.cc"}),
-            6);
+  const std::vector<std::string> sources = {root + "/tests/plugin/readme_plugin_test.cc"};
+  EXPECT_EQ(dgd_test::ExpectSnippetsIn(root + "/bullet_plugin/README.md", sources), 6);
+  EXPECT_EQ(dgd_test::ExpectSnippetsIn(root + "/README.md", sources), 1);
 }
 
 }  // namespace

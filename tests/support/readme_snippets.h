@@ -22,20 +22,16 @@ inline std::vector<std::string> LinesOf(const std::string& file) {
   return lines;
 }
 
-/// Expects each C++ snippet of a section to be, line for line, in one of the source files; what it includes first may
+/// Expects each C++ snippet of a README to be, line for line, in one of the source files; what it includes first may
 /// be elsewhere in the file.
-/// @param section  Its heading, with the signs.
 /// @return how many there are.
-inline int ExpectSnippetsIn(const std::string& readme, const std::string& section,
-                            const std::vector<std::string>& sources) {
+inline int ExpectSnippetsIn(const std::string& readme, const std::vector<std::string>& sources) {
   std::vector<std::vector<std::string>> texts;
   for (const std::string& source : sources) texts.push_back(LinesOf(source));
-  bool in_section = false, in_snippet = false;
+  bool in_snippet = false;
   int snippets = 0;
   std::vector<std::string> snippet;
   for (const std::string& line : LinesOf(readme)) {
-    if (line.starts_with("## ")) in_section = line == section;
-    if (!in_section) continue;
     if (in_snippet && line == "```") {
       in_snippet = false;
       ++snippets;

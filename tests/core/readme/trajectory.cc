@@ -1,4 +1,4 @@
-// The README's program, "Use the core alone".
+// The program of the core's README.
 #include <cstdio>
 #include <numbers>
 
