@@ -39,12 +39,9 @@ struct KnownLoss {
     return is_it ? most[static_cast<std::size_t>(rate - kRates.begin())] : 0;
   }
 };
-constexpr std::array<KnownLoss, 6> kKnownLosses = {{
-    {"chain", "heavy on light: speed, mm/s", "heavy on hulls", Precision::kDouble, {0, 40, 0}},
-    {"chain", "heavy on light: sunk, mm", "heavy on hulls", Precision::kDouble, {9, 0, 0}},
+constexpr std::array<KnownLoss, 3> kKnownLosses = {{
     {"gripper", "dropped parts", "box", Precision::kEither, {0, 0, 2}},
     {"gripper", "slip in 0.8 s, mm", "box", Precision::kEither, {0, 0, 3.5}},
-    {"slope_force", "spread of the normal force, share", "two", Precision::kEither, {0, 0, 0.5}},
     {"tips", "tips too early", "box", Precision::kDouble, {5.1, 0, 0}},
 }};
 
