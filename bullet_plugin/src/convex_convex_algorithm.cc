@@ -334,21 +334,31 @@ Footing ConvexConvexAlgorithm::FootingOfContacts(const btCollisionObjectWrapper&
 }
 
 void ConvexConvexAlgorithm::FindNormal(Query& query) {
-  const double angular_tolerance = narrowphase_.options().angular_tolerance;
-  bool is_known = query.wants_least && FollowContact(query.shape_a, query.shape_b, query.settings, angular_tolerance,
-                                                     face_holder_, warm_start_, query.facing, query.result);
-  query.has_facing = is_known && query.facing.overlap.size > 0;
-  if (!is_known) {
-    face_holder_ = dgd::FaceHolder::kNone;
-    is_known = query.wants_least && may_be_apart_ &&
-               FollowDistance(query.shape_a, query.shape_b, query.settings, warm_start_, query.result);
-  }
+  // What had the last answer is asked first: boxes at each other's edges or corners have no face to follow.
+  const bool distance_first = follows_distance_ && face_holder_ == dgd::FaceHolder::kNone;
+  follows_distance_ = distance_first && FollowLastSimplex(query);
+  bool is_known = follows_distance_ || FollowLastContact(query);
+  if (!is_known && !distance_first) is_known = follows_distance_ = FollowLastSimplex(query);
   query.has_growth_distance = !is_known;
   if (!is_known) {
     MoveCentersTogether(query.shape_a, query.shape_b);
     query.result = SolvePair(query.shape_a, query.shape_b, query.settings, warm_start_);
   }
   may_be_apart_ = is_known || query.result.status == dgd::Status::kSeparated || query.result.separation > 0;
+}
+
+bool ConvexConvexAlgorithm::FollowLastContact(Query& query) {
+  const bool is_known = query.wants_least && FollowContact(query.shape_a, query.shape_b, query.settings,
+                                                           narrowphase_.options().angular_tolerance, face_holder_,
+                                                           warm_start_, query.facing, query.result);
+  query.has_facing = is_known && query.facing.overlap.size > 0;
+  if (!is_known) face_holder_ = dgd::FaceHolder::kNone;
+  return is_known;
+}
+
+bool ConvexConvexAlgorithm::FollowLastSimplex(Query& query) {
+  return query.wants_least && may_be_apart_ &&
+         FollowDistance(query.shape_a, query.shape_b, query.settings, warm_start_, query.result);
 }
 
 dgd::ContactPatch<double> ConvexConvexAlgorithm::FindContactPatch(Query& query) {
@@ -489,6 +499,7 @@ void ConvexConvexAlgorithm::Recall(bool is_other_order, const Pose& pose_a, cons
   if (!narrowphase_.options().warm_start) {
     warm_start_ = {};
     may_be_apart_ = true;
+    follows_distance_ = false;
     face_holder_ = dgd::FaceHolder::kNone;
   } else if (is_other_order) {
     std::swap(warm_start_.features_1, warm_start_.features_2);

@@ -111,6 +111,9 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
 
   /// The pair's normal, and the separation along it: by the last normal where that still tells, else by a search.
   void FindNormal(Query& query);
+  /// By the contact's face or edges, FollowContact(); or by the last nearest simplex, FollowDistance().
+  bool FollowLastContact(Query& query);
+  bool FollowLastSimplex(Query& query);
 
   /// The contacts along the normal, which turns to that of least translation where there are any and that is wanted.
   dgd::ContactPatch<double> FindContactPatch(Query& query);
@@ -159,6 +162,7 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   [[no_unique_address]] PairManifold manifold_;           // What follows takes its padding.
   bool is_resting_ = false;                               // That is what the manifold's contacts have been found for.
   bool may_be_apart_ = true;                              // The cores, by all that is known: FollowDistance() is tried.
+  bool follows_distance_ = false;                         // FollowDistance() had the last answer.
   bool had_contact_ = false;                              // In the last step.
   bool was_swapped_ = false;                              // The order of the hulls below is not Bullet's.
   dgd::FaceHolder face_holder_ = dgd::FaceHolder::kNone;  // Of the last contact.
