@@ -91,59 +91,14 @@ bool IsSlow(const btCollisionObject& body) {
 
 ConvexConvexAlgorithm::ConvexConvexAlgorithm(const btCollisionAlgorithmConstructionInfo& info, Narrowphase& narrowphase,
                                              bool is_for_step)
-    : btCollisionAlgorithm(info), narrowphase_(narrowphase), manifold_(info.m_manifold), is_for_step_(is_for_step) {}
-
-ConvexConvexAlgorithm::~ConvexConvexAlgorithm() {
-  if (manifold_.IsOwn()) manifold_.GiveBack(*m_dispatcher);
-}
+    : PairAlgorithm(info, narrowphase, is_for_step) {}
 
 void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* body_0,
                                              const btCollisionObjectWrapper* body_1, const btDispatcherInfo& info,
                                              btManifoldResult* output) {
   PrefetchNext(*body_0, *body_1);
   if (Recorder* recorder = narrowphase_.options().recorder) recorder->Add(*body_0, *body_1);
-  if (manifold_.IsOwn() && manifold_) ForgetTouching(*manifold_);
-  const bool can_do_without = CanDoWithoutManifold(*body_0, *body_1, *output);
-  // Not in the step that ends the contact: most likely such bodies touch again. Nor in the one that made the manifold,
-  // which btCollisionDispatcherMt has not listed yet.
-  const bool may_give_back = can_do_without && manifold_ && !had_contact_;
-  if ((manifold_.IsNew() || !can_do_without) && !HasManifold(*body_0, *body_1)) {
-    return Count(Fallback::kNoMemory, *body_0, *body_1);
-  }
-  manifold_.ShowTo(*output);
-  Answer(body_0, body_1, info, *output);
-  if (had_contact_) DrawContacts(*manifold_, info.m_debugDraw);
-  if (may_give_back && !had_contact_ && manifold_.IsEmpty()) {
-    manifold_.GiveBack(*m_dispatcher);
-    manifold_.ShowTo(*output);
-  }
-}
-
-void ConvexConvexAlgorithm::Answer(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1,
-                                   const btDispatcherInfo& info, btManifoldResult& output) {
-  if (StaysAtRest(*body_0, *body_1, info, output)) return;
-  is_resting_ = false;
-  if (StaysApart(*body_0, *body_1, info, output)) return;
-  const std::optional<Fallback> fallback = FindContacts(body_0, body_1, info, output);
-  if (!fallback) return;
-  Count(*fallback, *body_0, *body_1);
-  // Bullet has no answer to what is no shape or no pose either: it reads points that a hull has not, and keeps NaN.
-  if (!IsAnsweredByBullet(*fallback)) {
-    if (manifold_.IsOwn() && manifold_) manifold_->clearManifold();
-    return;
-  }
-  if (!HasManifold(*body_0, *body_1)) return Count(Fallback::kNoMemory, *body_0, *body_1);
-  manifold_.ShowTo(output);
-  narrowphase_.FallBack(*m_dispatcher, body_0, body_1, info, output);
-  if (manifold_.IsOwn()) {
-    output.refreshContactPoints();
-    DropPointsNotFinite(*manifold_);
-  }
-}
-
-void ConvexConvexAlgorithm::Count(Fallback fallback, const btCollisionObjectWrapper& body_0,
-                                  const btCollisionObjectWrapper& body_1) {
-  narrowphase_.CountFallback(*body_0.getCollisionShape(), *body_1.getCollisionShape(), fallback);
+  Process({*body_0, *body_1}, info, *output);
 }
 
 void ConvexConvexAlgorithm::PrefetchNext(const btCollisionObjectWrapper& body_0,
@@ -160,21 +115,6 @@ void ConvexConvexAlgorithm::PrefetchNext(const btCollisionObjectWrapper& body_0,
   PrefetchToWrite(next.manifold_state, 1);
   // Other threads read them, too.
   for (const void* body : next.bodies) PrefetchToRead(body, sizeof(btCollisionObject));
-}
-
-bool ConvexConvexAlgorithm::HasManifold(const btCollisionObjectWrapper& body_0,
-                                        const btCollisionObjectWrapper& body_1) {
-  return manifold_.Provide(*m_dispatcher, *body_0.getCollisionObject(), *body_1.getCollisionObject());
-}
-
-bool ConvexConvexAlgorithm::CanDoWithoutManifold(const btCollisionObjectWrapper& body_0,
-                                                 const btCollisionObjectWrapper& body_1,
-                                                 const btManifoldResult& output) const {
-  // Bullet wakes whoever shares a manifold with a kinematic body, empty or not; an app's own result may look into it.
-  const Options& options = narrowphase_.options();
-  return !options.keep_empty_manifolds && options.warm_start && manifold_.IsOwn() &&
-         !body_0.getCollisionObject()->isKinematicObject() && !body_1.getCollisionObject()->isKinematicObject() &&
-         !IsAskedByApp(output);
 }
 
 struct ConvexConvexAlgorithm::Query {
@@ -256,31 +196,32 @@ std::optional<Fallback> ConvexConvexAlgorithm::SolveContacts(const btCollisionOb
   return Fallback::kInvalid;  // A shape that is not one: NaN or infinite sizes, no points.
 }
 
-std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const btCollisionObjectWrapper* body_0,
-                                                            const btCollisionObjectWrapper* body_1,
-                                                            const btDispatcherInfo& info, btManifoldResult& output) {
+std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const Bodies& bodies, const btDispatcherInfo& info,
+                                                            btManifoldResult& output) {
+  if (StaysApart(bodies, info, output)) return std::nullopt;
   const Options& options = narrowphase_.options();
   const auto prepare = [&](Query& query, bool is_swapped) {
     if (is_for_step_) {
-      const BodyReach reach_a(*(is_swapped ? body_1 : body_0)->getCollisionObject()),
-          reach_b(*(is_swapped ? body_0 : body_1)->getCollisionObject());
+      const Bodies solved = InOrder(bodies, is_swapped);
+      const BodyReach reach_a(*solved.first.getCollisionObject()), reach_b(*solved.second.getCollisionObject());
       query.motion = MotionOfStep(manifold_, reach_a, reach_b, info);
     }
     query.range = RangeOfContacts(options, manifold_, query.motion, output);
     query.patch_settings = PatchSettingsOf(options, manifold_, query.range, query.is_asked);
   };
   PairContacts contacts;
-  if (const auto failure = SolveContacts(*body_0, *body_1, IsAskedByApp(output), prepare, contacts)) return failure;
-  if (had_contact_ && !manifold_) {
-    had_contact_ = HasManifold(*body_0, *body_1);
-    if (!had_contact_) return Fallback::kNoMemory;
-    manifold_.ShowTo(output);
+  if (const auto failure = SolveContacts(bodies.first, bodies.second, IsAskedByApp(output), prepare, contacts)) {
+    return failure;
+  }
+  if (had_contact_ && !HasManifold(bodies, output)) {
+    had_contact_ = false;
+    return Fallback::kNoMemory;
   }
   const PairMotion motion = was_swapped_ ? contacts.motion.Reversed() : contacts.motion;
   WriteContacts(contacts.patch, contacts.result.normal, motion, options, manifold_, output);
-  // Bodies that do not touch may be given a speed that makes them.
-  if (had_contact_ && !contacts.lets_pass) {
-    RememberRest(*(was_swapped_ ? body_1 : body_0), *(was_swapped_ ? body_0 : body_1), contacts.motion);
+  if (MayRest() && !contacts.lets_pass) {
+    const Bodies solved = InOrder(bodies, was_swapped_);
+    RememberRest(solved, FootingOfContacts(solved), contacts.motion);
   }
   return std::nullopt;
 }
@@ -305,7 +246,7 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindTriangleContacts(const btColl
   const std::optional<Fallback> failure = SolveContacts(convex, triangle, triangle_query.is_asked, prepare, contacts);
   if (failure) {
     contacts.patch.size = 0;
-    Count(*failure, convex, triangle);
+    Count(*failure, {convex, triangle});
   }
   return failure;
 }
@@ -321,10 +262,9 @@ dgd::ContactPatch<double> ConvexConvexAlgorithm::FindTriangleFaceContacts(const 
   return {};  // FindTriangleContacts() has counted it.
 }
 
-Footing ConvexConvexAlgorithm::FootingOfContacts(const btCollisionObjectWrapper& body_a,
-                                                 const btCollisionObjectWrapper& body_b) const {
+Footing ConvexConvexAlgorithm::FootingOfContacts(const Bodies& bodies) const {
   const int contacts = manifold_->getNumContacts();
-  if (contacts < FewestOfFooting(body_a, body_b)) return {};
+  if (contacts < FewestOfFooting(bodies.first, bodies.second)) return {};
   if (face_holder_ != dgd::FaceHolder::kNone) return FootingOn(face_holder_, *manifold_);
   // Where edges of two faces cross that are nearly parallel, the normal is neither's, and turns with both. That of
   // edges alone may turn by more than either body does.
@@ -436,29 +376,21 @@ ConvexConvexAlgorithm::ContactKind ConvexConvexAlgorithm::ClassifySpeculative(Qu
   return ContactKind::kPoint;
 }
 
-bool ConvexConvexAlgorithm::StaysAtRest(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
-                                        const btDispatcherInfo& info, btManifoldResult& output) {
-  // For an app's own query each contact is found again.
-  if (!is_resting_ || IsAskedByApp(output)) return false;
-  const btCollisionObjectWrapper &body_a = was_swapped_ ? body_1 : body_0, &body_b = was_swapped_ ? body_0 : body_1;
-  const double anchor_time_step = narrowphase_.options().friction_anchors ? double(info.m_timeStep) : 0;
-  if (!KeepContacts(*resting_, body_a, body_b, hull_0_, hull_1_, anchor_time_step, *manifold_, output)) return false;
-  if (PairCounters* counters = narrowphase_.pair_counters()) {
-    counters->Count(ShapeOf(&body_0).getShapeType(), ShapeOf(&body_1).getShapeType(),
-                    {.way = PairOutcome::Way::kResting, .patch_size = manifold_->getNumContacts()});
-  }
-  return true;
+bool ConvexConvexAlgorithm::KeepRestingContacts(const Bodies& bodies, double anchor_time_step,
+                                                btManifoldResult& output) {
+  const Bodies solved = InOrder(bodies, was_swapped_);
+  return KeepContacts(*resting_, solved.first, solved.second, hull_0_, hull_1_, anchor_time_step, *manifold_, output);
 }
 
-bool ConvexConvexAlgorithm::StaysApart(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
-                                       const btDispatcherInfo& info, const btManifoldResult& output) {
+bool ConvexConvexAlgorithm::StaysApart(const Bodies& bodies, const btDispatcherInfo& info,
+                                       const btManifoldResult& output) {
   const Options& options = narrowphase_.options();
   const double contact_distance = ContactDistance(options, manifold_.BreakingThreshold(), output);
   const auto get_motion = [&](const BodyReach& reach_a, const BodyReach& reach_b) {
     const bool counts = is_for_step_ && options.speculative_contacts;
     return counts ? MotionOfStep(manifold_, reach_a, reach_b, info) : PairMotion();
   };
-  return StaysApartBy(body_0, body_1, contact_distance, get_motion);
+  return StaysApartBy(bodies.first, bodies.second, contact_distance, get_motion);
 }
 
 template <class GetMotion>
@@ -486,13 +418,6 @@ bool ConvexConvexAlgorithm::StaysApartBy(const btCollisionObjectWrapper& body_0,
   return true;
 } catch (const std::exception&) {
   return false;  // A user's shape that throws: SolveContacts() says what comes of it.
-}
-
-void ConvexConvexAlgorithm::RememberRest(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
-                                         const PairMotion& motion) {
-  if (!MayKeepContacts(narrowphase_.options(), manifold_)) return;
-  const Footing footing = FootingOfContacts(body_a, body_b);
-  is_resting_ = dgd_bullet::RememberRest(body_a, body_b, footing, motion, *manifold_, resting_);
 }
 
 void ConvexConvexAlgorithm::Recall(bool is_other_order, const Pose& pose_a, const Pose& pose_b) {
@@ -526,10 +451,6 @@ btScalar ConvexConvexAlgorithm::calculateTimeOfImpact(btCollisionObject* body_0,
   const btScalar fraction = RoundDown(impact.time);
   for (btCollisionObject* body : {body_0, body_1}) body->setHitFraction(std::min(body->getHitFraction(), fraction));
   return fraction;
-}
-
-void ConvexConvexAlgorithm::getAllContactManifolds(btManifoldArray& manifolds) {
-  if (manifold_.IsOwn() && manifold_) manifolds.push_back(manifold_.Get());
 }
 
 }  // namespace DGD_BULLET_PRECISION

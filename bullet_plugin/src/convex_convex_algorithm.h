@@ -1,13 +1,10 @@
 // The algorithm object of one pair of convex shapes: Bullet's contract on the outside, the growth distance inside.
 //
-// The contract (read from Bullet 3.24, btConvexConvexAlgorithm and btManifoldResult): a manifold is taken from the
-// construction info if there is one and not owned then, else made at first need, also without contact, and released
-// with the pair; points leave through addContactPoint(), and those of the pair's own manifold are written as that would
-// leave them (manifold_writer.h); the normal points from B to A, A and B in the order of the call; the depth
-// is the signed distance after margins.
+// The contract (read from Bullet 3.24, btConvexConvexAlgorithm and btManifoldResult), besides that of pair_algorithm.h:
+// points leave through addContactPoint(), and those of the pair's own manifold are written as that would leave them
+// (manifold_writer.h); the normal points from B to A, A and B in the order of the call; the depth is the signed
+// distance after margins.
 #pragma once
-
-#include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
 
 #include <memory>
 #include <optional>
@@ -18,18 +15,14 @@
 #include "dgd_bullet/linkage.h"
 #include "face_contacts.h"
 #include "hull_cache.h"
-#include "narrowphase.h"
+#include "pair_algorithm.h"
 #include "pair_contacts.h"
-#include "pair_manifold.h"
 #include "pair_motion.h"
 #include "shape_adapter.h"
 #include "visiting_order.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
-
-class RestingPair;
-struct Footing;
 
 /// The contacts of a solved pair, which have not been written anywhere.
 struct PairContacts {
@@ -39,13 +32,10 @@ struct PairContacts {
   bool lets_pass = false;      ///< The patch's separations are not the shapes' (LetPass()).
 };
 
-class ConvexConvexAlgorithm : public btCollisionAlgorithm {
+class ConvexConvexAlgorithm final : public PairAlgorithm {
  public:
   /// @param is_for_step  Whether its contacts are a step's, and may be ahead of the bodies' motion in it.
   ConvexConvexAlgorithm(const btCollisionAlgorithmConstructionInfo& info, Narrowphase& narrowphase, bool is_for_step);
-  ~ConvexConvexAlgorithm() override;
-  ConvexConvexAlgorithm(const ConvexConvexAlgorithm&) = delete;
-  ConvexConvexAlgorithm& operator=(const ConvexConvexAlgorithm&) = delete;
 
   void processCollision(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1,
                         const btDispatcherInfo& info, btManifoldResult* output) override;
@@ -75,29 +65,18 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   btScalar calculateTimeOfImpact(btCollisionObject* body_0, btCollisionObject* body_1, const btDispatcherInfo& info,
                                  btManifoldResult* output) override;
 
-  void getAllContactManifolds(btManifoldArray& manifolds) override;
-
  private:
-  /// Whether there is a manifold: makes one if there is none. False if the dispatcher has none left.
-  bool HasManifold(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1);
-
-  /// Whether a pair that is not new can be without a manifold in this call, as long as it has no contacts.
-  bool CanDoWithoutManifold(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
-                            const btManifoldResult& output) const;
-
-  /// The manifold's contacts of this step, in whichever way.
-  void Answer(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1,
-              const btDispatcherInfo& info, btManifoldResult& output);
-
-  void Count(Fallback fallback, const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1);
-
   /// Has memory bring the algorithm that Bullet will most likely call next, and what that will read. In a world of
   /// thousands of pairs it is nowhere near, and to wait for it takes as long as to tell that a pair is apart.
   void PrefetchNext(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1);
 
-  /// Solves the pair and writes its contacts. If that failed: why; nothing was written then.
-  std::optional<Fallback> FindContacts(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1,
-                                       const btDispatcherInfo& info, btManifoldResult& output);
+  std::optional<Fallback> FindContacts(const Bodies& bodies, const btDispatcherInfo& info,
+                                       btManifoldResult& output) override;
+  bool KeepRestingContacts(const Bodies& bodies, double anchor_time_step, btManifoldResult& output) override;
+
+  static Bodies InOrder(const Bodies& bodies, bool is_swapped) {
+    return is_swapped ? Bodies{bodies.second, bodies.first} : bodies;
+  }
 
   /// What a step asks of the pair, and the answer so far.
   struct Query;
@@ -129,14 +108,8 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
   enum class ContactKind { kNone, kPatch, kPassingPatch, kPoint };
   ContactKind ClassifySpeculative(Query& query);
 
-  /// If neither body has moved since the contacts were found, and nothing else that they come from has changed: brings
-  /// them up to date, and true.
-  bool StaysAtRest(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
-                   const btDispatcherInfo& info, btManifoldResult& output);
-
   /// Whether a pair without contact is still farther apart along the last normal than it may approach in the step.
-  bool StaysApart(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
-                  const btDispatcherInfo& info, const btManifoldResult& output);
+  bool StaysApart(const Bodies& bodies, const btDispatcherInfo& info, const btManifoldResult& output);
 
   /// The same.
   /// @param contact_distance  Nearer, that has to be found out; metres.
@@ -146,30 +119,20 @@ class ConvexConvexAlgorithm : public btCollisionAlgorithm {
                     double contact_distance, const GetMotion& get_motion);
 
   /// The face that the contacts' normal turns with, if any.
-  Footing FootingOfContacts(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b) const;
-
-  /// Notes what the contacts have been found for, if the pair will be nearly as it is after the step and the options
-  /// say that they are kept.
-  void RememberRest(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
-                    const PairMotion& motion);
+  /// @param bodies  In the order that the shapes are solved in.
+  Footing FootingOfContacts(const Bodies& bodies) const;
 
   /// Makes the last query's state this one's start: none if the options say so, else in the order that the shapes are
   /// solved in now.
   void Recall(bool is_other_order, const Pose& pose_a, const Pose& pose_b);
 
-  // What a pair that rests or stays apart needs comes first, up to the last normal: two lines of the cache.
-  Narrowphase& narrowphase_;
-  [[no_unique_address]] PairManifold manifold_;           // What follows takes its padding.
-  bool is_resting_ = false;                               // That is what the manifold's contacts have been found for.
+  // What a pair that stays apart needs comes first, up to the last normal: with the base, two lines of the cache.
   bool may_be_apart_ = true;                              // The cores, by all that is known: FollowDistance() is tried.
   bool follows_distance_ = false;                         // FollowDistance() had the last answer.
-  bool had_contact_ = false;                              // In the last step.
   bool was_swapped_ = false;                              // The order of the hulls below is not Bullet's.
   dgd::FaceHolder face_holder_ = dgd::FaceHolder::kNone;  // Of the last contact.
-  const bool is_for_step_;
-  VisitingOrder::Place place_ = 0;                     // Of the last call.
-  std::unique_ptr<RestingPair> resting_;               // Once the pair has rested.
-  std::shared_ptr<const CachedHull> hull_0_, hull_1_;  // In the order that the shapes are solved in (pair_order.h).
+  VisitingOrder::Place place_ = 0;                        // Of the last call.
+  std::shared_ptr<const CachedHull> hull_0_, hull_1_;     // In the order that the shapes are solved in (pair_order.h).
   dgd::WarmStart<double> warm_start_;
 };
 

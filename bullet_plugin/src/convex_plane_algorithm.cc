@@ -74,37 +74,18 @@ dgd::ContactPatch<double> FindPatchOnPlane(const PosedShape& shape, const dgd::R
 
 ConvexPlaneAlgorithm::ConvexPlaneAlgorithm(const btCollisionAlgorithmConstructionInfo& info, Narrowphase& narrowphase,
                                            bool is_for_step)
-    : btCollisionAlgorithm(info), narrowphase_(narrowphase), manifold_(info.m_manifold), is_for_step_(is_for_step) {}
-
-ConvexPlaneAlgorithm::~ConvexPlaneAlgorithm() {
-  if (manifold_.IsOwn()) manifold_.GiveBack(*m_dispatcher);
-}
+    : PairAlgorithm(info, narrowphase, is_for_step) {}
 
 void ConvexPlaneAlgorithm::processCollision(const btCollisionObjectWrapper* body_0,
                                             const btCollisionObjectWrapper* body_1, const btDispatcherInfo& info,
                                             btManifoldResult* output) {
   const bool is_plane_first = body_0->getCollisionShape()->getShapeType() == STATIC_PLANE_PROXYTYPE;
-  const btCollisionObjectWrapper &convex = is_plane_first ? *body_1 : *body_0,
-                                 &plane = is_plane_first ? *body_0 : *body_1;
-  std::optional<Fallback> failure = Fallback::kNoMemory;
-  if (manifold_.Provide(*m_dispatcher, *convex.getCollisionObject(), *plane.getCollisionObject())) {
-    manifold_.ShowTo(*output);
-    if (manifold_.IsOwn()) ForgetTouching(*manifold_);
-    failure.reset();
-    if (!StaysAtRest(convex, plane, info, *output)) {
-      is_resting_ = false;
-      failure = FindContacts(convex, plane, info, *output);
-    }
-    DrawContacts(*manifold_, info.m_debugDraw);
-  }
-  if (!failure) return;
-  narrowphase_.CountFallback(*convex.getCollisionShape(), *plane.getCollisionShape(), *failure);
-  if (manifold_.IsOwn() && manifold_) manifold_->clearManifold();
+  Process(is_plane_first ? Bodies{*body_1, *body_0} : Bodies{*body_0, *body_1}, info, *output);
 }
 
-std::optional<Fallback> ConvexPlaneAlgorithm::FindContacts(const btCollisionObjectWrapper& convex,
-                                                           const btCollisionObjectWrapper& plane,
-                                                           const btDispatcherInfo& info, btManifoldResult& output) try {
+std::optional<Fallback> ConvexPlaneAlgorithm::FindContacts(const Bodies& bodies, const btDispatcherInfo& info,
+                                                           btManifoldResult& output) try {
+  const btCollisionObjectWrapper &convex = bodies.first, &plane = bodies.second;
   const Options& options = narrowphase_.options();
   const auto& shape = *static_cast<const btConvexShape*>(convex.getCollisionShape());
   const btCollisionObject &body = *convex.getCollisionObject(), &ground = *plane.getCollisionObject();
@@ -116,6 +97,7 @@ std::optional<Fallback> ConvexPlaneAlgorithm::FindContacts(const btCollisionObje
     return height > range.touching && (height > range.limit || !motion.MayApproachBy(height, -border.up));
   };
   PairOutcome outcome{.way = PairOutcome::Way::kSeparated};
+  had_contact_ = false;
   // A plane has no end, so that all bodies of a world are asked about, most of them far above.
   if (manifold_.IsOwn() && manifold_.IsEmpty() && !IsAskedByApp(output) && is_out_of_reach(HeightOfBox(body, border))) {
     Count(outcome, convex);
@@ -149,8 +131,15 @@ std::optional<Fallback> ConvexPlaneAlgorithm::FindContacts(const btCollisionObje
   }
   outcome.patch_size = patch.size;
   Count(outcome, convex);
+  if (patch.size == 0 && !manifold_) return std::nullopt;
+  if (!HasManifold(bodies, output)) return Fallback::kNoMemory;
+  had_contact_ = patch.size > 0;
   WriteContacts(patch, result.normal, motion, options, manifold_, output);
-  if (!turns_clear) RememberRest(convex, plane, motion);
+  if (MayRest() && !turns_clear) {
+    // The plane's own face is what holds them.
+    const bool has_footing = manifold_->getNumContacts() >= FewestOfFooting(convex, plane);
+    RememberRest(bodies, has_footing ? FootingOn(dgd::FaceHolder::kSet2, *manifold_) : Footing(), motion);
+  }
   return std::nullopt;
 } catch (const std::bad_alloc&) {
   return Fallback::kNoMemory;  // For a hull.
@@ -163,28 +152,9 @@ void ConvexPlaneAlgorithm::Count(const PairOutcome& outcome, const btCollisionOb
   if (counters != nullptr) counters->Count(convex.getCollisionShape()->getShapeType(), STATIC_PLANE_PROXYTYPE, outcome);
 }
 
-void ConvexPlaneAlgorithm::RememberRest(const btCollisionObjectWrapper& convex, const btCollisionObjectWrapper& plane,
-                                        const PairMotion& motion) {
-  const int contacts = manifold_->getNumContacts();
-  if (contacts == 0 || !MayKeepContacts(narrowphase_.options(), manifold_)) return;
-  // The plane's own face is what holds them.
-  const bool has_footing = contacts >= FewestOfFooting(convex, plane);
-  const Footing footing = has_footing ? FootingOn(dgd::FaceHolder::kSet2, *manifold_) : Footing();
-  is_resting_ = dgd_bullet::RememberRest(convex, plane, footing, motion, *manifold_, resting_);
-}
-
-bool ConvexPlaneAlgorithm::StaysAtRest(const btCollisionObjectWrapper& convex, const btCollisionObjectWrapper& plane,
-                                       const btDispatcherInfo& info, btManifoldResult& output) {
-  // As with two convex shapes.
-  if (!is_resting_ || IsAskedByApp(output)) return false;
-  const double anchor_time_step = narrowphase_.options().friction_anchors ? double(info.m_timeStep) : 0;
-  if (!KeepContacts(*resting_, convex, plane, hull_, nullptr, anchor_time_step, *manifold_, output)) return false;
-  Count({.way = PairOutcome::Way::kResting, .patch_size = manifold_->getNumContacts()}, convex);
-  return true;
-}
-
-void ConvexPlaneAlgorithm::getAllContactManifolds(btManifoldArray& manifolds) {
-  if (manifold_.IsOwn() && manifold_) manifolds.push_back(manifold_.Get());
+bool ConvexPlaneAlgorithm::KeepRestingContacts(const Bodies& bodies, double anchor_time_step,
+                                               btManifoldResult& output) {
+  return KeepContacts(*resting_, bodies.first, bodies.second, hull_, nullptr, anchor_time_step, *manifold_, output);
 }
 
 }  // namespace DGD_BULLET_PRECISION

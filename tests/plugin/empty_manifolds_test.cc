@@ -1,4 +1,5 @@
 // Pairs that do not touch and have no manifold: what an app or Bullet could see of it, and must not.
+#include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
 #include <gtest/gtest.h>
 
@@ -50,6 +51,24 @@ class Pair {
   btBoxShape box_{Vec(0.5, 0.5, 0.5)};
   PairQuery query_{dispatcher_, box_, box_};
 };
+
+TEST(EmptyManifolds, OnAPlane_GivenBackAsWell) {
+  for (const bool keeps : {true, false}) {
+    TestWorld world(Route::kConfiguration, Keeping(keeps));
+    world.Add(world.Make<btStaticPlaneShape>(Vec(0, 0, 1), btScalar(0)), 0, btTransform::getIdentity());
+    btRigidBody& box = world.Add(world.Make<btBoxShape>(Vec(0.5, 0.5, 0.5)), 1, kFarPose);
+    box.setActivationState(DISABLE_DEACTIVATION);
+    const auto manifolds = [&] { return world.world().getDispatcher()->getNumManifolds(); };
+    world.Simulate(TestWorld::kTimeStep);
+    EXPECT_EQ(manifolds(), 1) << "each pair begins with one, as Bullet's does";
+    world.Simulate(TestWorld::kTimeStep);
+    EXPECT_EQ(manifolds(), keeps ? 1 : 0);
+    world.Simulate(2.5);
+    ASSERT_EQ(manifolds(), 1) << "on the plane";
+    EXPECT_EQ(world.world().getDispatcher()->getManifoldByIndexInternal(0)->getNumContacts(), 4);
+    EXPECT_NEAR(double(box.getWorldTransform().getOrigin().z()), 0.5, 1e-3);
+  }
+}
 
 TEST(EmptyManifolds, GivenBack_ComeBackWithContacts) {
   Pair pair(Keeping(false));
