@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "dgd/assert.h"
 #include "dgd/convex_hull.h"
 #include "hull_facets.h"
 
@@ -52,6 +53,7 @@ class FacetsAround {
     // A support point with more edges is the tip of a cone, whose facets are alike.
     PointFacet edges;
     while (edge && edges.size < PointFacet::kMaxVertices && !Holds(edges.Vertices(), *edge)) {
+      DGD_ASSERT(*edge < points_.size());
       edges.vertices[edges.size++] = *edge;
       const std::optional<VertexId> next = TurnAbout(points_[*edge] - points_[support_], normal);
       if (!next) break;
@@ -170,6 +172,7 @@ class PlanarPolygon {
       const auto is_same = [&](VertexId i) { return AreOne(i, farthest); };
       if (std::ranges::none_of(facet.Vertices(), is_same)) facet.vertices[facet.size++] = farthest;
     }
+    DGD_ASSERT(facet.size > 0 && facet.size <= facet.vertices.size());
     const auto away_sq = [&](VertexId i) { return (points_[i] - points_[kept]).squaredNorm(); };
     *std::ranges::min_element(facet.vertices.begin(), facet.vertices.begin() + facet.size, {}, away_sq) = kept;
   }
@@ -252,6 +255,7 @@ std::optional<PointFacet> FacetOfTriangle(std::span<const Vector3d> points, cons
 
 PointFacet FindFacet(std::span<const Vector3d> points, const PointArrays<double>& scan, VertexId support,
                      const Vector3d& direction) {
+  DGD_ASSERT(support < points.size() && points.size() == scan.size());
   std::optional<PointFacet> facet;
   // False for NaN.
   if (direction.squaredNorm() > 0) {

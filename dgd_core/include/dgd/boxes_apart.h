@@ -15,6 +15,7 @@
 #include <optional>
 #include <utility>
 
+#include "dgd/assert.h"
 #include "dgd/convex_set.h"
 #include "dgd/facing_faces.h"
 #include "dgd/held_face.h"
@@ -118,6 +119,7 @@ class BoxPair {
   [[gnu::flatten, gnu::noinline]] Status TryFace(const BoxFace& face, FacingFaces<S>& facing,
                                                  SignedDistanceResult<S>& result,
                                                  std::optional<BoxEdges>& beside) const {
+    DGD_ASSERT(face.holder != FaceHolder::kNone && face.axis >= 0 && face.axis < 3);
     const bool is_1 = face.holder == FaceHolder::kSet1;
     const Placed &holder = is_1 ? box_1_ : box_2_, &other = is_1 ? box_2_ : box_1_;
     const int axis_u = Next(face.axis), axis_v = Previous(face.axis);

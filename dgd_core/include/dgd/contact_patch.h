@@ -8,6 +8,7 @@
 
 #include <array>
 
+#include "dgd/assert.h"
 #include "dgd/facing_faces.h"
 #include "dgd/query_types.h"
 #include "dgd/types.h"
@@ -158,6 +159,7 @@ template <class S, class IsApproaching>
   CornerList<S> kept;
   Reduce(near, settings, kept);
   ContactPatch<S> patch;
+  DGD_ASSERT(kept.size <= ContactPatch<S>::kMaxPoints);
   for (int i = 0; i < kept.size; ++i) {
     const Corner<S>& corner = kept[i];
     ContactPoint<S>& point = patch.points[static_cast<std::size_t>(patch.size++)];

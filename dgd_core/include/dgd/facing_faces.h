@@ -10,6 +10,7 @@
 #include <cmath>
 #include <optional>
 
+#include "dgd/assert.h"
 #include "dgd/query_types.h"
 #include "dgd/ray/minkowski_difference.h"
 #include "dgd/supporting_face.h"
@@ -77,9 +78,18 @@ struct CornerList {
   std::array<Corner<S>, kCapacity> corners;
   int size = 0;
 
-  void Add(const Corner<S>& corner) { corners[static_cast<std::size_t>(size++)] = corner; }
-  const Corner<S>& operator[](int i) const { return corners[static_cast<std::size_t>(i)]; }
-  Corner<S>& operator[](int i) { return corners[static_cast<std::size_t>(i)]; }
+  void Add(const Corner<S>& corner) {
+    DGD_ASSERT(size >= 0 && size < static_cast<int>(kCapacity));
+    corners[static_cast<std::size_t>(size++)] = corner;
+  }
+  const Corner<S>& operator[](int i) const {
+    DGD_ASSERT(i >= 0 && i < size);
+    return corners[static_cast<std::size_t>(i)];
+  }
+  Corner<S>& operator[](int i) {
+    DGD_ASSERT(i >= 0 && i < size);
+    return corners[static_cast<std::size_t>(i)];
+  }
 };
 
 namespace facing_faces_internal {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "dgd/assert.h"
 #include "dgd/distance/apart_search.h"
 #include "dgd/distance/signed_distance_search.h"
 #include "dgd/query_types.h"
@@ -50,6 +51,7 @@ void Report(const Search& search, SignedDistanceResult<typename Search::S>& resu
   result.upper_bound = search.UpperBound();
   result.witness_1 = search.Witness1();
   result.witness_2 = search.Witness2();
+  DGD_ASSERT(!(std::abs(result.normal.squaredNorm() - 1) > kSqrtEpsilon<typename Search::S>));
 }
 
 template <class S>

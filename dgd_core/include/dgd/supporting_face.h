@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <array>
 
+#include "dgd/assert.h"
 #include "dgd/types.h"
 
 namespace dgd {
@@ -31,7 +32,10 @@ struct SupportingFace {
     return area;
   }
 
-  void Add(const Vector3<Scalar>& point) { points[static_cast<std::size_t>(size++)] = point; }
+  void Add(const Vector3<Scalar>& point) {
+    DGD_ASSERT(size >= 0 && size < kMaxPoints);
+    points[static_cast<std::size_t>(size++)] = point;
+  }
 };
 
 }  // namespace dgd

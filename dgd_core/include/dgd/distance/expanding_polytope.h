@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "dgd/assert.h"
 #include "dgd/distance/nearest_simplex.h"
 #include "dgd/ray/minkowski_difference.h"
 #include "dgd/types.h"
@@ -132,6 +133,7 @@ class ExpandingPolytope {
     face_count_ = static_cast<std::size_t>(replaced - faces_.begin());
     points_[size_] = added;
     const auto apex = static_cast<std::uint8_t>(size_++);
+    DGD_ASSERT(size_ <= kMaxPoints && face_count_ <= kMaxFaces);
     for (std::uint8_t from = 0; from < apex; ++from) {
       for (std::uint64_t rest = edges[from]; rest != 0; rest &= rest - 1) {
         const auto to = static_cast<std::uint8_t>(std::countr_zero(rest));

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "dgd/assert.h"
 #include "dgd/query_types.h"
 #include "dgd/ray/minkowski_difference.h"
 #include "dgd/ray/tolerances.h"
@@ -67,6 +68,7 @@ class NearestSimplex {
 
   /// Of up to three points.
   NearestSimplex(const std::array<Feature, 3>& points, std::size_t size) : points_(points), size_(size) {
+    DGD_ASSERT(size_ <= 3);
     if (size_ > 0) Reduce();
   }
 
@@ -81,7 +83,10 @@ class NearestSimplex {
   }
 
   /// Adds one of three points at most; to be followed by Reduce().
-  void Append(const Feature& added) { points_[size_++] = added; }
+  void Append(const Feature& added) {
+    DGD_ASSERT(size_ < 3);
+    points_[size_++] = added;
+  }
   /// Finds the nearest point, and drops the points without weight.
   void Reduce() {
     std::array<S, 3> weights{1};

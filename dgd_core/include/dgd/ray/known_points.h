@@ -18,6 +18,7 @@
 #include <array>
 #include <cstddef>
 
+#include "dgd/assert.h"
 #include "dgd/ray/minkowski_difference.h"
 #include "dgd/types.h"
 
@@ -41,6 +42,7 @@ class KnownPoints {
 
   /// Of all differences of known points, the point of C farthest along a direction. At least one is known.
   DifferencePoint<S, L> Farthest(const Point& direction) const {
+    DGD_ASSERT(size_ > 0);
     const SupportPoint<S, L>& a = Farthest(on_1_, direction);
     const SupportPoint<S, L>& b = Farthest(minus_2_, direction);
     return {a.point + b.point, a.point, a.feature, b.feature};
@@ -48,8 +50,14 @@ class KnownPoints {
 
   std::size_t Size() const { return size_; }
   /// Features of the i-th latest point that was remembered; i < Size().
-  FeatureId LatestFeature1(std::size_t i) const { return on_1_[Latest(i)].feature; }
-  FeatureId LatestFeature2(std::size_t i) const { return minus_2_[Latest(i)].feature; }
+  FeatureId LatestFeature1(std::size_t i) const {
+    DGD_ASSERT(i < size_);
+    return on_1_[Latest(i)].feature;
+  }
+  FeatureId LatestFeature2(std::size_t i) const {
+    DGD_ASSERT(i < size_);
+    return minus_2_[Latest(i)].feature;
+  }
 
  private:
   using Points = std::array<SupportPoint<S, L>, kCapacity>;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 
+#include "dgd/assert.h"
 #include "dgd/convex_set.h"
 #include "dgd/shapes/vertex_scan.h"
 #include "dgd/types.h"
@@ -35,6 +36,7 @@ class PlacedVertices {
   /// @tparam Corner  Made of the point and of both vertices.
   template <class Corner>
   Corner Farthest(const Vector3<S>& direction) const {
+    DGD_ASSERT(AreThere());
     const VertexId i = Points::Farthest(of_1_.data(), padded_1_, direction);
     const VertexId j = Points::Farthest(of_2_.data(), padded_2_, direction);
     return {{of_1_[i] + of_2_[j], of_1_[padded_1_ + i] + of_2_[padded_2_ + j],

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "dgd/assert.h"
 #include "dgd/growth_distance.h"
 #include "dgd/ray/ball_hull.h"
 #include "dgd/ray/facet_walk.h"
@@ -158,6 +159,8 @@ void Report(const Difference&, const Query& query, Status status, Result<S, L>& 
   result.separation = query.Separation();
   result.witness_1 = query.Witness1();
   result.witness_2 = query.Witness2();
+  DGD_ASSERT(!(result.lower_bound > result.upper_bound));
+  DGD_ASSERT(!(std::abs(result.normal.squaredNorm() - 1) > kSqrtEpsilon<S>));
 }
 template <class Difference, class Query, class S, int L>
 void Report(const Difference& difference, const Query& query, Status status, CollisionResult<S, L>& result) {

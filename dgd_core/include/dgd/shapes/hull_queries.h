@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "dgd/assert.h"
 #include "dgd/convex_hull.h"
 #include "dgd/shapes/triangle.h"
 #include "dgd/supporting_face.h"
@@ -79,6 +80,7 @@ inline double DistanceTo(const ConvexHull& hull, const Eigen::Vector3d& point) {
 /// NaN. A point on a facet, which is as high as the facet's corners, has none around it: then of all facets.
 /// @pre Of dimension 2 or 3, with facets.
 inline std::size_t NearestFacet(const ConvexHull& hull, VertexId vertex, const Eigen::Vector3d& d) {
+  DGD_ASSERT(hull.dimension >= 2 && HasFacets(hull) && vertex < hull.vertices.size());
   auto begin = static_cast<std::size_t>(hull.vertex_start[vertex]);
   auto end = static_cast<std::size_t>(hull.vertex_start[vertex + 1]);
   if (begin == end) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "dgd/assert.h"
 #include "dgd/convex_hull.h"
 #include "dgd/convex_set.h"
 #include "dgd/point_facet.h"
@@ -59,7 +60,10 @@ class Polytope {
   /// See SpreadCore.
   const Matrix3<S>& Spread() const { return spread_; }
 
-  Vector3<S> Vertex(VertexId vertex) const { return hull_.vertices[vertex].template cast<S>(); }
+  Vector3<S> Vertex(VertexId vertex) const {
+    DGD_ASSERT(vertex < hull_.vertices.size());
+    return hull_.vertices[vertex].template cast<S>();
+  }
   VertexId VertexCount() const { return static_cast<VertexId>(hull_.vertices.size()); }
 
   /// Facets, normals and adjacency, in double whatever S is.

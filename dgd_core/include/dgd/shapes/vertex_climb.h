@@ -10,6 +10,7 @@
 #include <limits>
 #include <vector>
 
+#include "dgd/assert.h"
 #include "dgd/convex_hull.h"
 #include "dgd/shapes/cube_map.h"
 #include "dgd/types.h"
@@ -36,11 +37,15 @@ class VertexClimb {
   bool IsEmpty() const { return offsets_.empty(); }
 
   /// A vertex that is about the farthest. @pre !IsEmpty().
-  VertexId Start(const Vector3<S>& direction) const { return starts_[cells_.CellOf(direction)]; }
+  VertexId Start(const Vector3<S>& direction) const {
+    DGD_ASSERT(!IsEmpty());
+    return starts_[cells_.CellOf(direction)];
+  }
 
   /// A vertex of largest <direction, x>, but for rounding; some vertex if the direction is NaN. @pre !IsEmpty().
   /// @param hint  A vertex that is likely to be near; any number will do.
   VertexId Farthest(const Vector3<S>& direction, VertexId hint) const {
+    DGD_ASSERT(!IsEmpty());
     VertexId vertex = hint < offsets_.size() ? hint : Start(direction);
     const S size = direction.template lpNorm<Eigen::Infinity>();
     // Heights are those above the centre: far from the origin, the others' rounding would hide short edges.
@@ -55,6 +60,7 @@ class VertexClimb {
   Ascent<S> SteepestAscent(VertexId vertex, const Vector3<S>& up, const Vector3<S>& outwards) const {
     // The edge itself that a plane turns about leads outwards by rounding only, and its slope is any number.
     constexpr S kLeastSq = S(16) * std::numeric_limits<S>::epsilon();
+    DGD_ASSERT(vertex < links_.size());
     const S least_sq = kLeastSq * outwards.squaredNorm();
     Ascent<S> steepest{vertex, -std::numeric_limits<S>::infinity()};
     const Links& links = links_[vertex];
