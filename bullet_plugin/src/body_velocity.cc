@@ -43,8 +43,15 @@ BodyVelocity VelocityOf(const btMultiBodyLinkCollider& link) {
 
 btVector3 AccelerationOf(const btMultiBodyLinkCollider& link) {
   const btMultiBody& body = *link.m_multiBody;
-  const bool falls_freely = link.m_link == kBase && body.getNumLinks() == 0;
-  return falls_freely ? InverseMassOf(link) * body.getBaseForce() : btVector3(0, 0, 0);
+  // What is fixed is held by its joints. Bullet's headers do not say that a base is: it has no velocity then.
+  if (body.getBaseVel().isZero() && body.getBaseOmega().isZero()) return {0, 0, 0};
+  btVector3 force = body.getBaseForce();
+  btScalar mass = body.getBaseMass();
+  for (int i = 0; i < body.getNumLinks(); ++i) {
+    force += body.getLink(i).m_appliedForce;
+    mass += body.getLink(i).m_mass;
+  }
+  return mass > 0 ? force / mass : btVector3(0, 0, 0);
 }
 
 btScalar InverseMassOf(const btMultiBodyLinkCollider& link) {

@@ -21,8 +21,8 @@ struct BodyVelocity {
 /// the last step has left. The link's collider must be where the multibody has it.
 BodyVelocity VelocityOf(const btMultiBodyLinkCollider& link);
 
-/// By the forces on a multibody that is its base alone: world, metres per second squared. None where there are joints:
-/// these take up what they can, such as an arm's weight.
+/// Of a multibody whose base moves, by all forces on it; none of one whose base is still, whose joints hold the links:
+/// world, metres per second squared.
 btVector3 AccelerationOf(const btMultiBodyLinkCollider& link);
 
 /// Of the link alone, 1 / kg: with the links that it moves it is heavier. 0 if it has no mass.

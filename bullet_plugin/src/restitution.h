@@ -23,6 +23,7 @@
 #include <optional>
 
 #include "bullet_conversions.h"
+#include "dgd/assert.h"
 #include "dgd_bullet/linkage.h"
 #include "just_touching.h"
 #include "pair_motion.h"
@@ -40,6 +41,7 @@ constexpr double kSlowestRebound = 0.2;
 /// @param time_step       Seconds, > 0.
 inline std::optional<double> SpeedAfterImpact(double restitution, double approach, double gain, double gap,
                                               double time_step) {
+  DGD_ASSERT(restitution > 0 && time_step > 0);
   const double fall = 2 * gain / time_step * gap;
   const double mean = approach + gain / 2;
   const double after_sq = restitution * restitution * std::max(mean * mean + fall, 0.0) - fall;
@@ -58,7 +60,12 @@ inline void PrepareRebound(btManifoldPoint& point, const PairMotion& motion) {
   const Vector3 normal = -FromBullet(point.m_normalWorldOnB), place = FromBullet(point.m_positionWorldOnB);
   const double approach = motion.ApproachSpeed(place, normal), gain = motion.ApproachSpeedGain(place, normal);
   const double gap = double(point.getDistance()), time_step = motion.TimeStep();
-  if (!(approach > kSlowestRebound) || !(gap <= (approach + gain) * time_step)) return;
+  if (!(gap <= (approach + gain) * time_step)) return;
+  if (!(approach > kSlowestRebound)) {
+    // The solver of multibodies would take what the forces add for a speed of approach.
+    if (motion.IsOfLinks()) point.m_combinedRestitution = 0;
+    return;
+  }
   const std::optional<double> after = SpeedAfterImpact(restitution, approach, gain, gap, time_step);
   const double approach_in_solver = motion.IsOfLinks() ? approach + gain : approach;
   if (!after || !(approach_in_solver > 0)) return;

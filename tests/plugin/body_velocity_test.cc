@@ -96,9 +96,16 @@ TEST_F(OfAMultibody, LinkAtRest_HasNoVelocity) {
   }
 }
 
-TEST_F(OfAMultibody, ForcesOnWhatJointsHold_MoveNothing) {
+TEST_F(OfAMultibody, ForcesOnAMovingBase_MoveAllLinks) {
+  const double mass = kMass * (1 + body_.getNumLinks());
   body_.addBaseForce(Vec(0, 0, -6));
   body_.addLinkForce(2, Vec(0, 8, 0));
+  for (const auto& link : links_) {
+    EXPECT_NEAR((dgd_bullet::AccelerationOf(*link) - Vec(0, 8 / mass, -6 / mass)).length(), 0, 1e-6);
+  }
+  // As of an arm, whose motors hold it up.
+  body_.setBaseVel(Vec(0, 0, 0));
+  body_.setBaseOmega(Vec(0, 0, 0));
   for (const auto& link : links_) EXPECT_EQ(dgd_bullet::AccelerationOf(*link).length(), 0);
 }
 
@@ -108,10 +115,12 @@ TEST(OfABaseAlone, ForcesMoveItAsARigidBody) {
   body.finalizeMultiDof();
   btMultiBodyLinkCollider base(&body, -1);
   base.setCollisionShape(&shape);
+  body.setBaseVel(Vec(1, 0, 0));
   body.addBaseForce(Vec(0, 0, -6));
   const auto rigid = MakeRigidBody(shape, 3 * kMass, btTransform::getIdentity());
   const dgd_bullet::PairMotion motion(dgd_bullet::BodyReach(base), dgd_bullet::BodyReach(*rigid), kTime);
   EXPECT_NEAR(motion.Approach(dgd_bullet::Vector3::Zero(), dgd_bullet::Vector3::UnitZ()), -3 * kTime * kTime, 1e-12);
+  EXPECT_NEAR(motion.Approach(dgd_bullet::Vector3::Zero(), dgd_bullet::Vector3::UnitX()), kTime, 1e-9);
   EXPECT_NEAR(motion.ShareOfA(), 0.75, 1e-6);
 }
 
