@@ -13,6 +13,7 @@
 #include "asked_by_app.h"
 #include "body_velocity.h"
 #include "contact_materials.h"
+#include "dgd/assert.h"
 #include "finite_result.h"
 #include "friction_anchors.h"
 #include "mesh_triangle.h"
@@ -179,8 +180,12 @@ class PointWriter {
     Call(WrapperA(), triangle.wrapper(), point);
   }
 
-  static void Call(const btCollisionObjectWrapper& a, const btCollisionObjectWrapper& b, btManifoldPoint& point) {
+  void Call(const btCollisionObjectWrapper& a, const btCollisionObjectWrapper& b, btManifoldPoint& point) const {
+    const btScalar distance = point.m_distance1;
     gContactAddedCallback(point, &a, point.m_partId0, point.m_index0, &b, point.m_partId1, point.m_index1);
+    // As by Bullet's refresh, which comes after the callbacks: the distance is that of the point's places.
+    if (point.m_distance1 == distance) return;
+    point.m_distance1 = (pose_a_(point.m_localPointA) - pose_b_(point.m_localPointB)).dot(point.m_normalWorldOnB);
   }
 
   btManifoldResult& output_;
@@ -216,6 +221,7 @@ class RaisedThreshold {
 };
 
 void WriteInPlace(std::span<const ManifoldContact> contacts, btScalar anchor_time_step, btManifoldResult& output) {
+  DGD_ASSERT(contacts.size() <= MANIFOLD_CACHE_SIZE);
   btPersistentManifold& manifold = *output.getPersistentManifold();
   ContinuedContacts continued(contacts, manifold);
   bool has_spare = continued.DropStale(manifold);

@@ -88,6 +88,24 @@ TEST_P(ContactCallbacks, BoxThatLandsSlidesAndLeaves_IsToldOfAsByTheBuiltin) {
   EXPECT_EQ(told.ended, 1);
 }
 
+/// Of which Bullet's refresh makes what the point's places say.
+bool FarAway(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int, const btCollisionObjectWrapper*, int,
+             int) {
+  point.m_distance1 = 1000;
+  return true;
+}
+
+TEST_P(ContactCallbacks, DistanceThatACallbackSets_HasNoEffect) {
+  gContactAddedCallback = FarAway;
+  TestWorld world(GetParam());
+  world.AddGround();
+  btRigidBody& body = world.Add(world.Make<btBoxShape>(Vec(0.5, 0.5, 0.5)), 1, Vec(0, 0, 0.499));
+  body.setCollisionFlags(body.getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+  world.Detect();
+  ASSERT_EQ(world.Points().size(), 4U);
+  for (const btManifoldPoint& point : world.Points()) EXPECT_NEAR(double(point.getDistance()), -0.001, 1e-5);
+}
+
 TEST_P(ContactCallbacks, WhatTheAppKeepsWithAPoint_StaysWithItAndIsGivenBack) {
   TestWorld world(GetParam(), WithoutRest());
   world.AddGround();
