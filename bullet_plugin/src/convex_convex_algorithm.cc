@@ -6,6 +6,7 @@
 #include <BulletCollision/CollisionShapes/btConvexShape.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <new>
 #include <optional>
@@ -42,6 +43,9 @@ constexpr double kCertifiedGap = 1e-5;
 /// the evaluations of a step its least translation may take: 64 are an expanding polytope, which may be begun anew.
 constexpr double kExact = 1e-12;
 constexpr int kPatience = 5;
+
+/// Cosine to a triangle's normal above which a normal tells on which side of the triangle a body is.
+constexpr double kLeastFacing = 0.1;
 
 bool IsCertified(const dgd::Result<double>& result) {
   switch (result.status) {
@@ -251,15 +255,27 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindTriangleContacts(const btColl
   return failure;
 }
 
-dgd::ContactPatch<double> ConvexConvexAlgorithm::FindTriangleFaceContacts(const btCollisionObjectWrapper& convex,
-                                                                          const btCollisionObjectWrapper& triangle,
-                                                                          const Vector3& normal,
-                                                                          const TriangleQuery& query) try {
+FaceContacts ConvexConvexAlgorithm::FindTriangleFaceContacts(const btCollisionObjectWrapper& convex,
+                                                             const btCollisionObjectWrapper& triangle,
+                                                             const Vector3& normal, const TriangleQuery& query) try {
   std::shared_ptr<const CachedHull> no_hull;
   const PosedShape shape = Query::Adapt(narrowphase_, convex, was_swapped_ ? hull_1_ : hull_0_, query.is_asked);
-  return FindFaceContacts(shape, Query::Adapt(narrowphase_, triangle, no_hull, query.is_asked), normal, query);
+  const PosedShape face = Query::Adapt(narrowphase_, triangle, no_hull, query.is_asked);
+  return FindFaceContacts(shape, face, IsTowards(normal, shape, face) ? normal : Vector3(-normal), query);
 } catch (const std::exception&) {
   return {};  // FindTriangleContacts() has counted it.
+}
+
+bool ConvexConvexAlgorithm::IsTowards(const Vector3& normal, const PosedShape& convex,
+                                      const PosedShape& triangle) const {
+  if (dgd::HasNormal(warm_start_)) {
+    // Most of a body may be behind a triangle's plane, and beside the triangle.
+    const Vector3 last = was_swapped_ ? Vector3(-(triangle.pose.rotation * warm_start_.normal_1))
+                                      : Vector3(convex.pose.rotation * warm_start_.normal_1);
+    const double cosine = normal.dot(last);
+    if (std::abs(cosine) > kLeastFacing) return cosine > 0;
+  }
+  return normal.dot(CenterOf(triangle) - CenterOf(convex)) > 0;
 }
 
 Footing ConvexConvexAlgorithm::FootingOfContacts(const Bodies& bodies) const {

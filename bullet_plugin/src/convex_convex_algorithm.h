@@ -54,9 +54,10 @@ class ConvexConvexAlgorithm final : public PairAlgorithm {
   }
 
   /// FindFaceContacts() of the two. After FindTriangleContacts() in the same step; does not throw.
-  dgd::ContactPatch<double> FindTriangleFaceContacts(const btCollisionObjectWrapper& convex,
-                                                     const btCollisionObjectWrapper& triangle, const Vector3& normal,
-                                                     const TriangleQuery& query);
+  /// @param normal  Of the triangle, on either side.
+  FaceContacts FindTriangleFaceContacts(const btCollisionObjectWrapper& convex,
+                                        const btCollisionObjectWrapper& triangle, const Vector3& normal,
+                                        const TriangleQuery& query);
 
   /// The part of the bodies' way from their transforms to their interpolation transforms that they go before they
   /// touch, or 1: by a sweep of the shapes themselves, never late. Only an app that dispatches continuously asks. As in
@@ -117,6 +118,10 @@ class ConvexConvexAlgorithm final : public PairAlgorithm {
   template <class GetMotion>
   bool StaysApartBy(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1,
                     double contact_distance, const GetMotion& get_motion);
+
+  /// Whether a triangle's normal is from the body to the triangle: by the pair's last normal, or by the body's centre
+  /// where that is along the triangle.
+  bool IsTowards(const Vector3& normal, const PosedShape& convex, const PosedShape& triangle) const;
 
   /// The face that the contacts' normal turns with, if any.
   /// @param bodies  In the order that the shapes are solved in.

@@ -103,6 +103,7 @@ class TriangleVisit final : public btTriangleCallback {
     } else {
       for (const int triangle : step_.contacts.ToTurn()) AddFaceContacts(triangle);
     }
+    if (query_.range.is_rebound) step_.contacts.DropSeamPoints(query_.patch_settings.equal_depth);
   }
 
   /// Whether contacts of an app's own algorithm are in the manifold.
@@ -149,12 +150,12 @@ class TriangleVisit final : public btTriangleCallback {
   void FindBox() {
     const btTransform in_mesh = mesh_.getWorldTransform().inverseTimes(convex_.getWorldTransform());
     convex_.getCollisionShape()->getAabb(in_mesh, low_, high_);
-    middle_ = btScalar(0.5) * (low_ + high_);
+    const btVector3 in_middle = btScalar(0.5) * (low_ + high_);
     const btScalar margin = mesh_.getCollisionShape()->getMargin() + btScalar(query_.patch_settings.contact_distance);
     const btVector3 half = btScalar(0.5) * (high_ - low_);
     const btScalar radius = half.length();
     const auto turn = btScalar(query_.motion.Turn().norm());
-    const Vector3 middle = FromBullet(mesh_.getWorldTransform() * middle_);
+    const Vector3 middle = FromBullet(mesh_.getWorldTransform() * in_middle);
     for (int axis = 0; axis < 3; ++axis) {
       const Vector3 direction = FromBullet(mesh_.getWorldTransform().getBasis().getColumn(axis));
       const auto way = btScalar(query_.motion.Approach(middle, direction));
@@ -178,11 +179,11 @@ class TriangleVisit final : public btTriangleCallback {
   /// The contacts of a triangle along its own normal.
   void AddFaceContacts(int index) {
     ConvexConvexAlgorithm* algorithm = step_.algorithms[static_cast<std::size_t>(index)];
-    const Vector3 normal = step_.contacts.NormalTowards(index, middle_);
+    const Vector3 normal = step_.contacts.NormalOf(index);
     if (algorithm == nullptr || normal.isZero(0)) return;
     const TriangleBody triangle(step_.contacts.triangle(index), mesh_);
-    step_.contacts.Add(index, algorithm->FindTriangleFaceContacts(convex_, triangle.wrapper(), -normal, query_),
-                       -normal);
+    const FaceContacts found = algorithm->FindTriangleFaceContacts(convex_, triangle.wrapper(), normal, query_);
+    step_.contacts.Add(index, found.patch, found.normal, found.way);
   }
 
   /// Whether the convex body is on one side of the triangle's plane and does not come near it in the step.
@@ -207,7 +208,7 @@ class TriangleVisit final : public btTriangleCallback {
   MeshStep& step_;
   btManifoldResult& output_;
   bool has_foreign_ = false, is_out_of_memory_ = false;
-  btVector3 low_, high_, middle_;  // Of the convex body's bounding box, in the mesh's frame.
+  btVector3 low_, high_;  // Of the convex body's bounding box, in the mesh's frame.
 };
 
 }  // namespace

@@ -36,8 +36,8 @@ Vector3 WayAcross(const PairMotion& motion, const Vector3& point, const Vector3&
 
 }  // namespace
 
-dgd::ContactPatch<double> FindFaceContacts(PosedShape shape, const PosedShape& triangle, const Vector3& normal,
-                                           const TriangleQuery& query) {
+FaceContacts FindFaceContacts(PosedShape shape, const PosedShape& triangle, const Vector3& normal,
+                              const TriangleQuery& query) {
   const PairMotion& motion = query.motion;
   const Vector3 deepest = SupportPoint(shape, normal), start = shape.pose.translation;
   dgd::Result<double> result;
@@ -66,13 +66,14 @@ dgd::ContactPatch<double> FindFaceContacts(PosedShape shape, const PosedShape& t
     if (is_same_part) break;
     if (parts == kMostParts || !(approach >= separation)) return {};
   }
-  dgd::ContactPatch<double> patch = FindPatch(result, facing, query.patch_settings, motion);
+  FaceContacts contacts{FindPatch(result, facing, query.patch_settings, motion), normal, shift};
+  dgd::ContactPatch<double>& patch = contacts.patch;
   for (int i = 0; i < patch.size; ++i) {
     dgd::ContactPoint<double>& point = patch.points[static_cast<std::size_t>(i)];
     point.on_1 -= shift;
     point.on_2 -= shift;
   }
-  return patch;
+  return contacts;
 }
 
 }  // namespace DGD_BULLET_PRECISION

@@ -20,11 +20,18 @@ struct TriangleQuery {
   bool is_asked;             ///< By an app, for the contacts themselves.
 };
 
+/// Along a normal.
+struct FaceContacts {
+  dgd::ContactPatch<double> patch;
+  Vector3 normal = Vector3::Zero();  ///< From the body to the triangle; unit, world.
+  Vector3 way = Vector3::Zero();     ///< Of the points across the normal until they touch; metres.
+};
+
 /// Contacts where the body is over the triangle now, or when its motion brings it to the triangle's plane; none
 /// otherwise. Throws nothing of its own.
 /// @param normal  Of the triangle, from the body's side of it to the other; unit, world.
-dgd::ContactPatch<double> FindFaceContacts(PosedShape shape, const PosedShape& triangle, const Vector3& normal,
-                                           const TriangleQuery& query);
+FaceContacts FindFaceContacts(PosedShape shape, const PosedShape& triangle, const Vector3& normal,
+                              const TriangleQuery& query);
 
 }  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -15,6 +15,7 @@
 #include <limits>
 
 #include "body_velocity.h"
+#include "dgd/assert.h"
 #include "dgd_bullet/linkage.h"
 
 namespace dgd_bullet {
@@ -68,6 +69,7 @@ class FrictionAnchors {
 
   /// Has the solver take back the slip of a point that has just been placed without any.
   void Hold(btManifoldPoint& point, const btVector3& slip) const {
+    DGD_ASSERT(slip.length2() <= btScalar(1.01) * max_slip_ * max_slip_);
     if (!CanBeAnchored(point)) return;  // By this step's callback.
     const btVector3 half = btScalar(0.5) * slip;
     point.m_positionWorldOnA += half;

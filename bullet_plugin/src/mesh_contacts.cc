@@ -32,6 +32,11 @@ Vector3 AreaOf(const MeshTriangle& triangle) {
   return (Corner(triangle, 1) - origin).cross(Corner(triangle, 2) - origin);
 }
 
+/// Whether two unit vectors count as one.
+bool AreAlike(const Vector3& a, const Vector3& b) {
+  return a.dot(b) > 0 && a.cross(b).squaredNorm() <= kMaxSine * kMaxSine;
+}
+
 /// Longest extent along an axis of the mesh.
 btScalar SizeOf(const MeshTriangle& triangle) {
   const btVector3 to_1 = (triangle.corners[1] - triangle.corners[0]).absolute();
@@ -110,11 +115,12 @@ int MeshContacts::AddTriangle(const btVector3* corners, int part, int index) {
   return triangles() - 1;
 }
 
-void MeshContacts::Add(int triangle, const dgd::ContactPatch<double>& patch, const Vector3& normal) {
+void MeshContacts::Add(int triangle, const dgd::ContactPatch<double>& patch, const Vector3& normal,
+                       const Vector3& way) {
   if (patch.size == 0) return;
   const std::size_t begin = contacts_.size();
   for (std::size_t i = 0; i < static_cast<std::size_t>(patch.size); ++i) {
-    contacts_.push_back({-normal, patch.points[i].on_2, patch.points[i].separation, triangle});
+    contacts_.push_back({-normal, patch.points[i].on_2, patch.points[i].separation, triangle, way});
   }
   patches_.push_back({triangle, begin, contacts_.size(), false});
 }
@@ -136,17 +142,45 @@ void MeshContacts::RemoveGhosts() {
   patches_.clear();
 }
 
+void MeshContacts::DropSeamPoints(double equal_depth) {
+  const auto is_deeper = [&](const MeshContact& deeper, const MeshContact& contact) {
+    return deeper.separation < contact.separation - equal_depth && AreAlike(deeper.normal_on_b, contact.normal_on_b);
+  };
+  kept_.clear();
+  for (const MeshContact& contact : contacts_) {
+    const bool has_deeper =
+        std::ranges::any_of(contacts_, [&](const MeshContact& other) { return is_deeper(other, contact); });
+    if (!has_deeper || !IsOnSeam(contact)) kept_.push_back(contact);
+  }
+  contacts_.swap(kept_);
+}
+
+bool MeshContacts::IsOnSeam(const MeshContact& contact) const {
+  const MeshTriangle& own = triangle(contact.triangle);
+  const btVector3 place = mesh_->invXform(ToBullet(contact.on_b + contact.way));
+  const btScalar tolerance = kSamePlace * SizeOf(own);
+  const auto is_on_border = [&](std::size_t from, std::size_t to) {
+    return IsNear(NearestOn(own.corners[from], own.corners[to], place), place, tolerance);
+  };
+  if (!is_on_border(0, 1) && !is_on_border(1, 2) && !is_on_border(2, 0)) return false;
+  const Vector3 normal = AreaOf(own).normalized();
+  for (int i = 0; i < triangles(); ++i) {
+    if (i == contact.triangle || !boxes_[static_cast<std::size_t>(i)].Contains(place, tolerance)) continue;
+    const Vector3 other = AreaOf(triangle(i)).normalized();
+    if (AreAlike(normal, normal.dot(other) < 0 ? Vector3(-other) : other) && IsOn(triangle(i), place, tolerance)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 bool MeshContacts::HasContacts(int triangle) const {
   return states_[static_cast<std::size_t>(triangle)] == State::kCounts;
 }
 
-Vector3 MeshContacts::NormalTowards(int triangle, const btVector3& point) const {
-  const MeshTriangle& corners = triangles_[static_cast<std::size_t>(triangle)];
-  const Vector3 area = AreaOf(corners);
-  if (!(area.squaredNorm() > 0)) return Vector3::Zero();
-  const bool is_above = area.dot(FromBullet(point) - Corner(corners, 0)) > 0;
-  const Vector3 normal = (rotation_ * area).normalized();
-  return is_above ? normal : Vector3(-normal);
+Vector3 MeshContacts::NormalOf(int index) const {
+  const Vector3 area = AreaOf(triangle(index));
+  return area.squaredNorm() > 0 ? Vector3((rotation_ * area).normalized()) : Vector3(Vector3::Zero());
 }
 
 void MeshContacts::SortTriangles() {

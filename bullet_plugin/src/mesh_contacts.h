@@ -20,6 +20,7 @@
 #include <span>
 #include <vector>
 
+#include "dgd/assert.h"
 #include "dgd/contact_patch.h"
 #include "dgd_bullet/linkage.h"
 #include "mesh_triangle.h"
@@ -36,6 +37,7 @@ struct MeshContact {
   Vector3 on_b;         ///< World, metres.
   double separation;    ///< Metres, negative for overlap.
   int triangle;         ///< Index among the step's triangles.
+  Vector3 way;          ///< Of on_b until it touches; world, metres.
 
   // Of the reduction (contact_reduction.h).
   bool touches = false;                           // Or will by the end of the step.
@@ -55,10 +57,17 @@ class MeshContacts {
 
   /// Adds the contacts that a triangle has along a normal, if there are any.
   /// @param normal  Unit, from the body to the mesh, world.
-  void Add(int triangle, const dgd::ContactPatch<double>& patch, const Vector3& normal);
+  /// @param way     Of the contacts' points until they touch; world, metres.
+  void Add(int triangle, const dgd::ContactPatch<double>& patch, const Vector3& normal,
+           const Vector3& way = Vector3::Zero());
 
   /// Leaves the contacts of faces, with the faces' own normals, and of exposed edges and corners.
   void RemoveGhosts();
+
+  /// Drops what the body's faces and edges have where they cross from one triangle to another in its plane, if a
+  /// contact on that plane is deeper by more than a tolerance: on a plane it would be no contact, and of an impact each
+  /// contact takes the whole rebound.
+  void DropSeamPoints(double equal_depth);
 
   /// Triangles whose ghosts are to be met along the triangles' own normals, of the step up to RemoveGhosts().
   std::span<const int> ToTurn() const { return to_turn_; }
@@ -66,11 +75,14 @@ class MeshContacts {
   /// Whether a triangle has contacts that count.
   bool HasContacts(int triangle) const;
 
-  /// Normal of a triangle, world, on the side that a point in the mesh's frame is on; zero if it has no area.
-  Vector3 NormalTowards(int triangle, const btVector3& point) const;
+  /// Unit normal of a triangle, world, on either side of it; zero if it has no area.
+  Vector3 NormalOf(int triangle) const;
 
   int triangles() const { return static_cast<int>(triangles_.size()); }
-  const MeshTriangle& triangle(int index) const { return triangles_[static_cast<std::size_t>(index)]; }
+  const MeshTriangle& triangle(int index) const {
+    DGD_ASSERT(index >= 0 && static_cast<std::size_t>(index) < triangles_.size());
+    return triangles_[static_cast<std::size_t>(index)];
+  }
   std::vector<MeshContact>& contacts() { return contacts_; }
 
  private:
@@ -104,6 +116,7 @@ class MeshContacts {
   /// Sorts the triangles along the axis that they spread most on.
   void SortTriangles();
   void ClassifyFace(Patch& patch);
+  bool IsOnSeam(const MeshContact& contact) const;
   void ClassifyFeature(std::size_t patch);
   Feature HighestFeature(const MeshTriangle& triangle, const Vector3& direction) const;
   void CoverGhosts();
@@ -121,7 +134,7 @@ class MeshContacts {
   std::vector<Sorted> sorted_;
   std::vector<State> states_;  // Of the triangles.
   std::vector<Patch> patches_;
-  std::vector<MeshContact> contacts_;
+  std::vector<MeshContact> contacts_, kept_;
   struct Link {
     int ghost, above;  // Triangles.
   };

@@ -7,6 +7,7 @@
 
 #include "asked_by_app.h"
 #include "contact_drawer.h"
+#include "dgd/assert.h"
 #include "just_touching.h"
 #include "manifold_writer.h"
 #include "pair_contacts.h"
@@ -64,6 +65,7 @@ void PairAlgorithm::Answer(const Bodies& bodies, const btDispatcherInfo& info, b
 bool PairAlgorithm::StaysAtRest(const Bodies& bodies, const btDispatcherInfo& info, btManifoldResult& output) {
   // For an app's own query each contact is found again.
   if (!is_resting_ || IsAskedByApp(output)) return false;
+  DGD_ASSERT(resting_ != nullptr && manifold_.IsOwn() && !manifold_.IsEmpty());
   const double anchor_time_step = narrowphase_.options().friction_anchors ? double(info.m_timeStep) : 0;
   if (!KeepRestingContacts(bodies, anchor_time_step, output)) return false;
   if (PairCounters* counters = narrowphase_.pair_counters()) {

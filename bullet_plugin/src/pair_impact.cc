@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "dgd/assert.h"
 #include "pair_distance.h"
 #include "pair_solver.h"
 
@@ -59,6 +60,7 @@ dgd::Result<double> MovingPair::AtStart(dgd::Result<double> contact) const {
 bool TurnClear(const PosedShape& shape_a, const PosedShape& shape_b, const PairMotion& motion, const Vector3& normal,
                double flush) {
   if (!(motion.MaxArc() > flush)) return false;
+  DGD_ASSERT(motion.IsKnown() && flush >= 0);
   MovingPair pair(shape_a, shape_b, motion);
   for (const double time : {0.5, 1.0}) {
     pair.MoveTo(time);

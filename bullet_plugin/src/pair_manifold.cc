@@ -3,6 +3,8 @@
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 
+#include "dgd/assert.h"
+
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
@@ -13,6 +15,7 @@ bool PairManifold::Provide(btDispatcher& dispatcher, const btCollisionObject& bo
 
 void PairManifold::GiveBack(btDispatcher& dispatcher) {
   if (manifold_ == nullptr) return;
+  DGD_ASSERT(is_own_);
   breaking_threshold_ = manifold_->getContactBreakingThreshold();
   dispatcher.releaseManifold(manifold_);
   manifold_ = nullptr;

@@ -6,6 +6,7 @@
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
+#include "dgd/assert.h"
 #include "dgd_bullet/linkage.h"
 
 class btCollisionObject;
@@ -23,8 +24,14 @@ class PairManifold {
   bool IsOwn() const { return is_own_; }
   explicit operator bool() const { return manifold_ != nullptr; }
   btPersistentManifold* Get() const { return manifold_; }
-  btPersistentManifold& operator*() const { return *manifold_; }
-  btPersistentManifold* operator->() const { return manifold_; }
+  btPersistentManifold& operator*() const {
+    DGD_ASSERT(manifold_ != nullptr);
+    return *manifold_;
+  }
+  btPersistentManifold* operator->() const {
+    DGD_ASSERT(manifold_ != nullptr);
+    return manifold_;
+  }
 
   /// Whether there has never been one.
   bool IsNew() const { return manifold_ == nullptr && breaking_threshold_ < 0; }
@@ -32,6 +39,7 @@ class PairManifold {
   bool IsEmpty() const { return manifold_ == nullptr || manifold_->getNumContacts() == 0; }
   /// Of the manifold, now or when it was given back; metres.
   double BreakingThreshold() const {
+    DGD_ASSERT(manifold_ != nullptr || breaking_threshold_ >= 0);
     return double(manifold_ != nullptr ? manifold_->getContactBreakingThreshold() : breaking_threshold_);
   }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bullet_conversions.h"
+#include "dgd/assert.h"
 #include "dgd/motion.h"
 #include "dgd_bullet/linkage.h"
 
@@ -52,6 +53,7 @@ class PairMotion {
     return normal.dot(a_.VelocityAt(point) - b_.VelocityAt(point));
   }
   double ApproachSpeedGain(const Vector3& point, const Vector3& normal) const {
+    DGD_ASSERT(IsKnown());
     return Approach(point, normal) / time_step_ - ApproachSpeed(point, normal);
   }
   /// Metres by which the surfaces move past each other across `normal` at a world point within the step.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "dgd/assert.h"
+
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 namespace {
@@ -41,6 +43,7 @@ void AddComing(const dgd::ContactPoint<double>& coming, const Vector3& normal,
     if (!((point.on_1 - coming.on_1).squaredNorm() > spacing_sq)) return;
   }
   if (patch.size == settings.max_points) --patch.size;
+  DGD_ASSERT(patch.size < dgd::ContactPatch<double>::kMaxPoints);
   patch.points[static_cast<std::size_t>(patch.size++)] = coming;
 }
 

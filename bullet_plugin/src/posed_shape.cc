@@ -13,10 +13,6 @@ constexpr auto kIsCentered = []<class... Sets>(std::type_identity<std::variant<S
 
 bool IsCentered(const PosedShape& shape) { return kIsCentered[shape.set.index()]; }
 
-Vector3 CenterOf(const PosedShape& shape) {
-  return std::visit([&](const auto& set) -> Vector3 { return shape.pose * set.core.Center(); }, shape.set);
-}
-
 void MoveCenterNear(const Vector3& point, PosedShape& shape) {
   std::visit(
       [&](auto& set) {
@@ -28,6 +24,10 @@ void MoveCenterNear(const Vector3& point, PosedShape& shape) {
 }
 
 }  // namespace
+
+Vector3 CenterOf(const PosedShape& shape) {
+  return std::visit([&](const auto& set) -> Vector3 { return shape.pose * set.core.Center(); }, shape.set);
+}
 
 Vector3 SupportPoint(const PosedShape& shape, const Vector3& direction) {
   const Vector3 local = shape.pose.rotation.transpose() * direction;

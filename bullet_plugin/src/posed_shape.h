@@ -34,6 +34,9 @@ inline bool IsInOrder(const PosedShape& shape_a, const PosedShape& shape_b) {
   return shape_a.set.index() <= shape_b.set.index();
 }
 
+/// A point inside of the shape, or on it if it has no inside; world.
+Vector3 CenterOf(const PosedShape& shape);
+
 /// The farthest point of a shape along a direction of unit length; world.
 Vector3 SupportPoint(const PosedShape& shape, const Vector3& direction);
 

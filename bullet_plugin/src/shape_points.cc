@@ -11,6 +11,7 @@
 #include <array>
 #include <cstring>
 
+#include "dgd/assert.h"
 #include "multi_sphere.h"
 
 namespace dgd_bullet {
@@ -105,6 +106,7 @@ ShapePoints::ShapePoints(const btConvexShape& shape)
 }
 
 Vector3 ShapePoints::operator[](int i) const {
+  DGD_ASSERT(i >= 0 && i < count_);
   if (base_ == nullptr) {
     btVector3 vertex;
     static_cast<const btPolyhedralConvexShape&>(shape_).getVertex(i, vertex);
