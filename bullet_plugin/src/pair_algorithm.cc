@@ -65,7 +65,7 @@ void PairAlgorithm::Answer(const Bodies& bodies, const btDispatcherInfo& info, b
 bool PairAlgorithm::StaysAtRest(const Bodies& bodies, const btDispatcherInfo& info, btManifoldResult& output) {
   // For an app's own query each contact is found again.
   if (!is_resting_ || IsAskedByApp(output)) return false;
-  DGD_ASSERT(resting_ != nullptr && manifold_.IsOwn() && !manifold_.IsEmpty());
+  DGD_ASSERT(resting_ != nullptr && manifold_.IsOwn() && manifold_);
   const double anchor_time_step = narrowphase_.options().friction_anchors ? double(info.m_timeStep) : 0;
   if (!KeepRestingContacts(bodies, anchor_time_step, output)) return false;
   if (PairCounters* counters = narrowphase_.pair_counters()) {

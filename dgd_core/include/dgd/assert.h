@@ -14,7 +14,7 @@ using AssertionHandler = void (*)(const char* condition, const char* file, int l
 DGD_EXPORT AssertionHandler SetAssertionHandler(AssertionHandler handler);
 
 /// What DGD_ASSERT calls.
-[[noreturn]] DGD_EXPORT void FailAssertion(const char* condition, const char* file, int line);
+DGD_EXPORT [[noreturn]] void FailAssertion(const char* condition, const char* file, int line);
 
 }  // namespace dgd
 
