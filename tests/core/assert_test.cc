@@ -11,18 +11,19 @@
 namespace dgd_test {
 namespace {
 
-void Throw(const char* condition, const char*, int) { throw std::logic_error(condition); }
-
 TEST(Assert, FullList_IsToldToTheHandlerWhereItIsChecked) {
 #ifdef NDEBUG
   GTEST_SKIP() << "this build does not check";
 #else
-  const dgd::AssertionHandler before = dgd::SetAssertionHandler(Throw);
+  const dgd::AssertionHandler throws = [](const char* condition, const char*, int) {
+    throw std::logic_error(condition);
+  };
+  const dgd::AssertionHandler before = dgd::SetAssertionHandler(throws);
   dgd::SupportingFace<double> face;
   const auto add = [&face] { face.Add(dgd::Vector3<double>::Zero()); };
   for (int i = 0; i < dgd::SupportingFace<double>::kMaxPoints; ++i) add();
   EXPECT_THROW(add(), std::logic_error);
-  EXPECT_EQ(dgd::SetAssertionHandler(before), Throw);
+  EXPECT_EQ(dgd::SetAssertionHandler(before), throws);
 #endif
 }
 
