@@ -14,10 +14,7 @@
 
 #include "asked_by_app.h"
 #include "contact_distance.h"
-#include "contact_drawer.h"
 #include "dgd_bullet/recorder.h"
-#include "just_touching.h"
-#include "manifold_writer.h"
 #include "pair_apart.h"
 #include "pair_contacts.h"
 #include "pair_distance.h"
@@ -44,7 +41,8 @@ constexpr double kCertifiedGap = 1e-5;
 constexpr double kExact = 1e-12;
 constexpr int kPatience = 5;
 
-/// Cosine to a triangle's normal above which a normal tells on which side of the triangle a body is.
+/// Cosine of the last normal to a triangle's own above which the last one shows on which side of the triangle a body
+/// is: within 6 degrees of the triangle's plane, the side would be chance.
 constexpr double kLeastFacing = 0.1;
 
 bool IsCertified(const dgd::Result<double>& result) {
@@ -217,13 +215,13 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindContacts(const Bodies& bodies
   if (const auto failure = SolveContacts(bodies.first, bodies.second, IsAskedByApp(output), prepare, contacts)) {
     return failure;
   }
-  if (had_contact_ && !HasManifold(bodies, output)) {
+  if (had_contact_ && !EnsureManifold(bodies, output)) {
     had_contact_ = false;
     return Fallback::kNoMemory;
   }
   const PairMotion motion = was_swapped_ ? contacts.motion.Reversed() : contacts.motion;
   WriteContacts(contacts.patch, contacts.result.normal, motion, options, manifold_, output);
-  if (MayRest() && !contacts.lets_pass) {
+  if (MayRecycle() && !contacts.lets_pass) {
     const Bodies solved = InOrder(bodies, was_swapped_);
     RememberRest(solved, FootingOfContacts(solved), contacts.motion);
   }
@@ -269,7 +267,7 @@ FaceContacts ConvexConvexAlgorithm::FindTriangleFaceContacts(const btCollisionOb
 bool ConvexConvexAlgorithm::IsTowards(const Vector3& normal, const PosedShape& convex,
                                       const PosedShape& triangle) const {
   if (dgd::HasNormal(warm_start_)) {
-    // Most of a body may be behind a triangle's plane, and beside the triangle.
+    // Most of a body may be behind the plane of a triangle that it is next to.
     const Vector3 last = was_swapped_ ? Vector3(-(triangle.pose.rotation * warm_start_.normal_1))
                                       : Vector3(convex.pose.rotation * warm_start_.normal_1);
     const double cosine = normal.dot(last);
@@ -368,7 +366,7 @@ ConvexConvexAlgorithm::ContactKind ConvexConvexAlgorithm::ClassifySpeculative(Qu
   // Impacts of other bodies may change a motion that does not make them meet. A contact that has no effect otherwise
   // keeps them apart then; but a rebound would act on it, and in a mesh the next triangle is what they pass to.
   const bool may_be_knocked = is_touching && !query.is_of_mesh && !query.range.is_rebound;
-  if (result.separation > flush && TurnClear(query.shape_a, query.shape_b, motion, result.normal, flush)) {
+  if (result.separation > flush && TurnsClear(query.shape_a, query.shape_b, motion, result.normal, flush)) {
     return may_be_knocked ? ContactKind::kPassingPatch : ContactKind::kNone;
   }
   const Vector3 middle = (result.witness_1 + result.witness_2) / 2;
@@ -392,8 +390,8 @@ ConvexConvexAlgorithm::ContactKind ConvexConvexAlgorithm::ClassifySpeculative(Qu
   return ContactKind::kPoint;
 }
 
-bool ConvexConvexAlgorithm::KeepRestingContacts(const Bodies& bodies, double anchor_time_step,
-                                                btManifoldResult& output) {
+bool ConvexConvexAlgorithm::UpdateRecycledContacts(const Bodies& bodies, double anchor_time_step,
+                                                   btManifoldResult& output) {
   const Bodies solved = InOrder(bodies, was_swapped_);
   return KeepContacts(*resting_, solved.first, solved.second, hull_0_, hull_1_, anchor_time_step, *manifold_, output);
 }

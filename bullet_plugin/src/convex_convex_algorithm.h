@@ -73,7 +73,7 @@ class ConvexConvexAlgorithm final : public PairAlgorithm {
 
   std::optional<Fallback> FindContacts(const Bodies& bodies, const btDispatcherInfo& info,
                                        btManifoldResult& output) override;
-  bool KeepRestingContacts(const Bodies& bodies, double anchor_time_step, btManifoldResult& output) override;
+  bool UpdateRecycledContacts(const Bodies& bodies, double anchor_time_step, btManifoldResult& output) override;
 
   static Bodies InOrder(const Bodies& bodies, bool is_swapped) {
     return is_swapped ? Bodies{bodies.second, bodies.first} : bodies;

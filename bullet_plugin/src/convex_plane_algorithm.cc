@@ -16,9 +16,7 @@
 #include "asked_by_app.h"
 #include "bullet_conversions.h"
 #include "contact_distance.h"
-#include "contact_drawer.h"
 #include "dgd/half_space_patch.h"
-#include "just_touching.h"
 #include "pair_contacts.h"
 #include "pair_impact.h"
 #include "pair_motion.h"
@@ -121,7 +119,7 @@ std::optional<Fallback> ConvexPlaneAlgorithm::FindContacts(const Bodies& bodies,
     const double flush = NegligibleDistance(manifold_.BreakingThreshold());
     // As with two convex shapes; a point of the plane is enough of it.
     const PosedShape point_of_plane{dgd::RoundedSet{dgd::Point<double>(), 0.0}, pose_of_plane};
-    turns_clear = result.separation > flush && TurnClear(posed, point_of_plane, motion, result.normal, flush);
+    turns_clear = result.separation > flush && TurnsClear(posed, point_of_plane, motion, result.normal, flush);
     const bool may_be_knocked = result.separation <= range.touching && !range.is_rebound;
     if (!turns_clear || may_be_knocked) {
       const auto settings = PatchSettingsOf(options, manifold_, range, IsAskedByApp(output));
@@ -132,10 +130,10 @@ std::optional<Fallback> ConvexPlaneAlgorithm::FindContacts(const Bodies& bodies,
   outcome.patch_size = patch.size;
   Count(outcome, convex);
   if (patch.size == 0 && !manifold_) return std::nullopt;
-  if (!HasManifold(bodies, output)) return Fallback::kNoMemory;
+  if (!EnsureManifold(bodies, output)) return Fallback::kNoMemory;
   had_contact_ = patch.size > 0;
   WriteContacts(patch, result.normal, motion, options, manifold_, output);
-  if (MayRest() && !turns_clear) {
+  if (MayRecycle() && !turns_clear) {
     // The plane's own face is what holds them.
     const bool has_footing = manifold_->getNumContacts() >= FewestOfFooting(convex, plane);
     RememberRest(bodies, has_footing ? FootingOn(dgd::FaceHolder::kSet2, *manifold_) : Footing(), motion);
@@ -152,8 +150,8 @@ void ConvexPlaneAlgorithm::Count(const PairOutcome& outcome, const btCollisionOb
   if (counters != nullptr) counters->Count(convex.getCollisionShape()->getShapeType(), STATIC_PLANE_PROXYTYPE, outcome);
 }
 
-bool ConvexPlaneAlgorithm::KeepRestingContacts(const Bodies& bodies, double anchor_time_step,
-                                               btManifoldResult& output) {
+bool ConvexPlaneAlgorithm::UpdateRecycledContacts(const Bodies& bodies, double anchor_time_step,
+                                                  btManifoldResult& output) {
   return KeepContacts(*resting_, bodies.first, bodies.second, hull_, nullptr, anchor_time_step, *manifold_, output);
 }
 

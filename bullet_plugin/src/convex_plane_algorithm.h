@@ -33,7 +33,7 @@ class ConvexPlaneAlgorithm final : public PairAlgorithm {
  private:
   std::optional<Fallback> FindContacts(const Bodies& bodies, const btDispatcherInfo& info,
                                        btManifoldResult& output) override;
-  bool KeepRestingContacts(const Bodies& bodies, double anchor_time_step, btManifoldResult& output) override;
+  bool UpdateRecycledContacts(const Bodies& bodies, double anchor_time_step, btManifoldResult& output) override;
 
   using PairAlgorithm::Count;
   void Count(const PairOutcome& outcome, const btCollisionObjectWrapper& convex);

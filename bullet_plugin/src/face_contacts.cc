@@ -46,7 +46,7 @@ FaceContacts FindFaceContacts(PosedShape shape, const PosedShape& triangle, cons
   const double approach = motion.Approach(deepest, normal);
   const bool is_ahead = result.separation > std::max(query.range.touching, 0.0);
   if (is_ahead && (result.separation > query.range.limit || !(approach >= result.separation))) return {};
-  if (result.separation > query.flush && TurnClear(shape, triangle, motion, normal, query.flush)) return {};
+  if (result.separation > query.flush && TurnsClear(shape, triangle, motion, normal, query.flush)) return {};
   const Vector3 way_across = is_ahead ? WayAcross(motion, deepest, normal) : Vector3(Vector3::Zero());
 
   // Moved to where its deepest part meets the plane, the body may show the triangle another part, which meets it later.

@@ -29,7 +29,8 @@ std::vector<Vector3> CopyPoints(const ShapePoints& points) {
   return copies;
 }
 
-dgd::ConvexHull HullOf(const std::vector<Vector3>& points) {
+/// Without facets where that is enough.
+dgd::ConvexHull FirstHullOf(const std::vector<Vector3>& points) {
   std::optional<dgd::ConvexHull> hull = dgd::HullWithoutFacets(points);
   return hull ? *std::move(hull) : dgd::BuildConvexHull(points);
 }
@@ -60,7 +61,7 @@ CachedHull::CachedHull(const btConvexShape& shape, int scanned_queries)
       scaling_(ShapePoints(shape).Scaling()),
       bytes_(CopyBytes(ShapePoints(shape))),
       points_(CopyPoints(ShapePoints(shape))),
-      first_core_(HullOf(AllPoints(shape))),
+      first_core_(FirstHullOf(AllPoints(shape))),
       scanned_queries_(scanned_queries) {}
 
 bool CachedHull::Matches(const btConvexShape& shape) const {
@@ -85,7 +86,7 @@ const dgd::Polytope<double>& CachedHull::CoreOfNewHull(HullUse use) const {
       core_with_facets_.emplace(dgd::WithFacets(first_core_.Hull()));
       core_.store(&*core_with_facets_, std::memory_order_release);
     } catch (const std::exception&) {
-      // Without memory, or a hull by Qhull, the points answer as before.
+      // Without memory, or where Qhull fails, the points are scanned as before.
     }
   };
   const bool is_large = first_core_.VertexCount() > dgd::kMostScannedVertices;

@@ -4,11 +4,11 @@
 // after its shape has been compared with what the hull was made from: number of points, scaling, and every point, which
 // costs less than one evaluation of the support function that looks at all of them.
 //
-// A new hull has no facets: its first queries scan its points, for a support point as for the face there. They
-// take 70 us for 20 points, as long as some hundred queries without them, and many hulls live no longer: debris, shapes
-// of a query, casts. So the facets come when a hull has been queried so often, in whichever thread that is. Answers
-// stay the same to the last bit. Those of more than dgd::kMostScannedVertices points do but for roundoff, and for an
-// app's own queries alone: a step's pairs, which threads may share, must not depend on each other.
+// A new hull has no facets: its first queries scan its points, for a support point as for the face there. Facets of 20
+// points take 70 us, as long as some hundred queries without them, and many hulls live no longer: debris, shapes of a
+// query, casts. So they are built once a hull has been queried often enough, by whichever thread does so then. Results
+// stay the same to the last bit. Above dgd::kMostScannedVertices points they change by roundoff: there only an app's
+// own queries do without facets, for a step's pairs, which threads may share, must not depend on each other.
 #pragma once
 
 #include <atomic>

@@ -65,8 +65,9 @@ void UpdateManifold(std::span<const ManifoldContact> contacts, const PairMotion&
 /// would carry three quarters of the load between them and let stacks of small boxes rock (four of 0.2 m at 60 Hz: 23
 /// mm away after 5 s, 7 with this). A last point that carries much feeds the sway of high towers (scenes/tower_20.json
 /// in float: 120 mm/s with an order that does not follow impulses, 2 with this; Bullet's narrowphase 42).
-/// Points of multibodies' links, which another solver takes, keep their order: a gripper drops half as many boxes again
-/// with this one.
+/// Points of multibodies' links, which another solver takes, keep their order: with this
+/// one, the gripper of tests/apps drops 41 of 126 boxes in double and 44 in float, 31 without (42 at 240, 480, 1000
+/// Hz).
 void OrderForSolver(btPersistentManifold& manifold);
 
 /// What Bullet's refresh of a manifold does besides bringing its points up to date: their age and callback.

@@ -31,11 +31,11 @@ void PairAlgorithm::Process(const Bodies& bodies, const btDispatcherInfo& info, 
   // Not in the step that ends the contact: most likely such bodies touch again. Nor in the one that made the manifold,
   // which btCollisionDispatcherMt has not listed yet.
   const bool may_give_back = can_do_without && manifold_ && !had_contact_;
-  if ((manifold_.IsNew() || !can_do_without) && !HasManifold(bodies, output)) {
+  if ((manifold_.IsNew() || !can_do_without) && !EnsureManifold(bodies, output)) {
     return Count(Fallback::kNoMemory, bodies);
   }
   manifold_.ShowTo(output);
-  Answer(bodies, info, output);
+  FindOrRecycleContacts(bodies, info, output);
   if (had_contact_) DrawContacts(*manifold_, info.m_debugDraw);
   if (may_give_back && !had_contact_ && manifold_.IsEmpty()) {
     manifold_.GiveBack(*m_dispatcher);
@@ -43,8 +43,9 @@ void PairAlgorithm::Process(const Bodies& bodies, const btDispatcherInfo& info, 
   }
 }
 
-void PairAlgorithm::Answer(const Bodies& bodies, const btDispatcherInfo& info, btManifoldResult& output) {
-  if (StaysAtRest(bodies, info, output)) return;
+void PairAlgorithm::FindOrRecycleContacts(const Bodies& bodies, const btDispatcherInfo& info,
+                                          btManifoldResult& output) {
+  if (TryRecycleContacts(bodies, info, output)) return;
   is_resting_ = false;
   const std::optional<Fallback> fallback = FindContacts(bodies, info, output);
   if (!fallback) return;
@@ -54,7 +55,7 @@ void PairAlgorithm::Answer(const Bodies& bodies, const btDispatcherInfo& info, b
     if (manifold_.IsOwn() && manifold_) manifold_->clearManifold();
     return;
   }
-  if (!HasManifold(bodies, output)) return Count(Fallback::kNoMemory, bodies);
+  if (!EnsureManifold(bodies, output)) return Count(Fallback::kNoMemory, bodies);
   narrowphase_.FallBack(*m_dispatcher, &bodies.first, &bodies.second, info, output);
   if (manifold_.IsOwn()) {
     output.refreshContactPoints();
@@ -62,12 +63,12 @@ void PairAlgorithm::Answer(const Bodies& bodies, const btDispatcherInfo& info, b
   }
 }
 
-bool PairAlgorithm::StaysAtRest(const Bodies& bodies, const btDispatcherInfo& info, btManifoldResult& output) {
+bool PairAlgorithm::TryRecycleContacts(const Bodies& bodies, const btDispatcherInfo& info, btManifoldResult& output) {
   // For an app's own query each contact is found again.
   if (!is_resting_ || IsAskedByApp(output)) return false;
   DGD_ASSERT(resting_ != nullptr && manifold_.IsOwn() && manifold_);
   const double anchor_time_step = narrowphase_.options().friction_anchors ? double(info.m_timeStep) : 0;
-  if (!KeepRestingContacts(bodies, anchor_time_step, output)) return false;
+  if (!UpdateRecycledContacts(bodies, anchor_time_step, output)) return false;
   if (PairCounters* counters = narrowphase_.pair_counters()) {
     counters->Count(bodies.first.getCollisionShape()->getShapeType(), bodies.second.getCollisionShape()->getShapeType(),
                     {.way = PairOutcome::Way::kResting, .patch_size = manifold_->getNumContacts()});
@@ -75,13 +76,13 @@ bool PairAlgorithm::StaysAtRest(const Bodies& bodies, const btDispatcherInfo& in
   return true;
 }
 
-bool PairAlgorithm::MayRest() const { return had_contact_ && MayKeepContacts(narrowphase_.options(), manifold_); }
+bool PairAlgorithm::MayRecycle() const { return had_contact_ && MayKeepContacts(narrowphase_.options(), manifold_); }
 
 void PairAlgorithm::RememberRest(const Bodies& bodies, const Footing& footing, const PairMotion& motion) {
   is_resting_ = dgd_bullet::RememberRest(bodies.first, bodies.second, footing, motion, *manifold_, resting_);
 }
 
-bool PairAlgorithm::HasManifold(const Bodies& bodies, btManifoldResult& output) {
+bool PairAlgorithm::EnsureManifold(const Bodies& bodies, btManifoldResult& output) {
   const bool has_been_there = bool(manifold_);
   if (!manifold_.Provide(*m_dispatcher, *bodies.first.getCollisionObject(), *bodies.second.getCollisionObject())) {
     return false;

@@ -1,6 +1,6 @@
 // What the algorithm objects of two convex shapes and of a convex shape on a plane have in common: the pair's manifold,
-// contacts that are kept while the bodies are at rest, and failures, which are counted and left to Bullet where it has
-// an answer.
+// recycled contacts of bodies at rest, and failures, which are counted and left to Bullet's own algorithm where that
+// can do better.
 //
 // The contract (read from Bullet 3.24, btConvexConvexAlgorithm): a manifold is taken from the construction info if
 // there is one and not owned then, else made at first need, also without contact, and released with the pair.
@@ -32,7 +32,7 @@ class PairAlgorithm : public btCollisionAlgorithm {
   void getAllContactManifolds(btManifoldArray& manifolds) override;
 
  protected:
-  /// Two bodies as an algorithm takes them: those of the manifold, in its order.
+  /// The manifold's two bodies, in its order.
   struct Bodies {
     const btCollisionObjectWrapper &first, &second;
   };
@@ -50,15 +50,16 @@ class PairAlgorithm : public btCollisionAlgorithm {
                                                btManifoldResult& output) = 0;
 
   /// KeepContacts() of the pair, whose contacts have been found while it was at rest.
-  virtual bool KeepRestingContacts(const Bodies& bodies, double anchor_time_step, btManifoldResult& output) = 0;
+  virtual bool UpdateRecycledContacts(const Bodies& bodies, double anchor_time_step, btManifoldResult& output) = 0;
 
-  /// Whether there is a manifold: makes one if there is none. False if the dispatcher has none left.
-  bool HasManifold(const Bodies& bodies, btManifoldResult& output);
+  /// Takes a manifold from the dispatcher if there is none, and makes it the output's. False if none is left.
+  bool EnsureManifold(const Bodies& bodies, btManifoldResult& output);
 
   /// Notes what the contacts have been found for, if the pair will be nearly as it is after the step and the options
   /// say that they are kept.
   void RememberRest(const Bodies& bodies, const Footing& footing, const PairMotion& motion);
-  bool MayRest() const;
+  /// Whether there are contacts, which the options let be recycled.
+  bool MayRecycle() const;
 
   void Count(Fallback fallback, const Bodies& bodies);
 
@@ -74,11 +75,12 @@ class PairAlgorithm : public btCollisionAlgorithm {
   /// Whether a pair that is not new can be without a manifold in this call, as long as it has no contacts.
   bool CanDoWithoutManifold(const Bodies& bodies, const btManifoldResult& output) const;
 
-  void Answer(const Bodies& bodies, const btDispatcherInfo& info, btManifoldResult& output);
+  /// The contacts of this step, recycled or found, or those of Bullet's own algorithm.
+  void FindOrRecycleContacts(const Bodies& bodies, const btDispatcherInfo& info, btManifoldResult& output);
 
   /// If neither body has moved since the contacts were found, or both have together, and nothing else that they come
   /// from has changed: brings them up to date, and true.
-  bool StaysAtRest(const Bodies& bodies, const btDispatcherInfo& info, btManifoldResult& output);
+  bool TryRecycleContacts(const Bodies& bodies, const btDispatcherInfo& info, btManifoldResult& output);
 };
 
 }  // namespace DGD_BULLET_PRECISION

@@ -57,8 +57,8 @@ dgd::Result<double> MovingPair::AtStart(dgd::Result<double> contact) const {
   return contact;
 }
 
-bool TurnClear(const PosedShape& shape_a, const PosedShape& shape_b, const PairMotion& motion, const Vector3& normal,
-               double flush) {
+bool TurnsClear(const PosedShape& shape_a, const PosedShape& shape_b, const PairMotion& motion, const Vector3& normal,
+                double flush) {
   if (!(motion.MaxArc() > flush)) return false;
   DGD_ASSERT(motion.IsKnown() && flush >= 0);
   MovingPair pair(shape_a, shape_b, motion);

@@ -48,8 +48,8 @@ class MovingPair {
 /// Whether turning takes the shapes clear of each other, which approach along straight lines: they are apart along
 /// `normal` (unit, from A to B) half way through the step and at its end. Only if turning takes points off those lines
 /// by more than `flush`, metres.
-bool TurnClear(const PosedShape& shape_a, const PosedShape& shape_b, const PairMotion& motion, const Vector3& normal,
-               double flush);
+bool TurnsClear(const PosedShape& shape_a, const PosedShape& shape_b, const PairMotion& motion, const Vector3& normal,
+                double flush);
 
 /// Moves the points of a patch apart by as much as a straight motion brings them together, and `flush`: they have no
 /// effect then unless other bodies' impacts change the motion.

@@ -11,7 +11,7 @@
 namespace dgd_test {
 namespace {
 
-TEST(Assert, FullList_IsToldToTheHandlerWhereItIsChecked) {
+TEST(Assert, FullList_CallsTheHandlerWhereItIsChecked) {
 #ifdef NDEBUG
   GTEST_SKIP() << "this build does not check";
 #else
@@ -28,13 +28,13 @@ TEST(Assert, FullList_IsToldToTheHandlerWhereItIsChecked) {
 }
 
 TEST(Assert, Handler_IsGivenTheConditionAndThePlace) {
-  static std::string told;
+  static std::string failure;
   const dgd::AssertionHandler before = dgd::SetAssertionHandler([](const char* condition, const char* file, int line) {
-    told = std::string(file) + ":" + std::to_string(line) + ": " + condition;
-    throw std::logic_error("told");
+    failure = std::string(file) + ":" + std::to_string(line) + ": " + condition;
+    throw std::logic_error("handled");
   });
   EXPECT_THROW(dgd::FailAssertion("size < 4", "list.h", 12), std::logic_error);
-  EXPECT_EQ(told, "list.h:12: size < 4");
+  EXPECT_EQ(failure, "list.h:12: size < 4");
   dgd::SetAssertionHandler(before);
 }
 

@@ -69,7 +69,7 @@ TEST(NewHull, OfManyPoints_AllQueriesAgreeButForRoundoff) {
     ASSERT_FALSE(first.empty());
     for (int i = 0; i < kQueries; ++i) {
       const std::vector<Contact> contacts = pair.ContactTest();
-      // Of points that only just overlap, roundoff decides.
+      // Where two edges cross, roundoff decides which end of each counts, and so which facets the patch is of.
       ASSERT_FALSE(contacts.empty());
       EXPECT_NEAR(Deepest(contacts).depth, Deepest(first).depth, kRoundoff);
       EXPECT_NEAR((Deepest(contacts).normal_b_to_a - Deepest(first).normal_b_to_a).norm(), 0, kRoundoff);

@@ -142,7 +142,7 @@ bool TurningCubeMeets(double start, double angle, double sinks) {
   // Its corner is on its way down as fast as the rim turns: along a straight line it would be far below the top.
   const Vector3 corner = cube.pose * Vector3(0.2, 0, -0.2);
   EXPECT_GT(motion.Approach(corner, -Vector3::UnitZ()), 0.02);
-  const bool turns_clear = dgd_bullet::TurnClear(cube, tile, motion, -Vector3::UnitZ(), kFlush);
+  const bool turns_clear = dgd_bullet::TurnsClear(cube, tile, motion, -Vector3::UnitZ(), kFlush);
   // A contact that is handed over all the same is not closed by the straight motion.
   dgd::ContactPatch<double> patch;
   patch.size = 1;
@@ -152,11 +152,11 @@ bool TurningCubeMeets(double start, double angle, double sinks) {
   return !turns_clear;
 }
 
-TEST(TurnClear, CubeThatTurnsClear_DoesNotMeet) {
+TEST(TurnsClear, CubeThatTurnsClear_DoesNotMeet) {
   for (const double angle : {0.3, 0.8, 1.5}) EXPECT_FALSE(TurningCubeMeets(0.5, angle, 0)) << angle;
 }
 
-TEST(TurnClear, CubeThatSinksAsItTurns_Meets) {
+TEST(TurnsClear, CubeThatSinksAsItTurns_Meets) {
   // At the end of the step, and half way only: a face is down at the end.
   EXPECT_TRUE(TurningCubeMeets(0.5, 0.3, 0.01));
   EXPECT_TRUE(TurningCubeMeets(std::numbers::pi / 8, std::numbers::pi / 4, 0.006));

@@ -1,16 +1,17 @@
-// Invariants that are checked where NDEBUG is not defined, as assert() does; and who is told of one that does not hold.
+// Invariants that are checked where NDEBUG is not defined, as assert() does, and the handler of one that does not hold.
 #pragma once
 
 #include "dgd/export.h"
 
 namespace dgd {
 
-/// Told of an invariant that does not hold; may throw or end the program. If it returns, the program is aborted.
-/// @param condition, file  Of the source, as the compiler has them.
+/// Called for an invariant that does not hold; may throw or end the program. If it returns, the program is aborted.
+/// @param condition   The source text of the invariant.
+/// @param file, line  Its place.
 using AssertionHandler = void (*)(const char* condition, const char* file, int line);
 
-/// Puts a handler in the place of the default one, which prints a line to the standard error stream; null for that.
-/// For all threads. @return the one before.
+/// Replaces the handler, for all threads. The default one prints a line to the standard error stream.
+/// @param handler  Null for the default one. @return the one before.
 DGD_EXPORT AssertionHandler SetAssertionHandler(AssertionHandler handler);
 
 /// What DGD_ASSERT calls.

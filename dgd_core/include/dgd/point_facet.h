@@ -25,7 +25,8 @@ struct PointFacet {
 
 /// Of the facets around a support point, the one whose normal is nearest to the direction that it is the support point
 /// of; of equals, the one whose vertices come first. Turns a supporting plane about the point, from edge to edge (gift
-/// wrapping), which takes some scans of all points for each edge at it.
+/// wrapping: Chand and Kapur 1970, "An algorithm for convex polytopes"), which takes some scans of all points for each
+/// edge at it.
 /// @param points     Metres; their hull is solid, and clearly so.
 /// @param scan       The same, by coordinate.
 /// @param support    A point of largest <direction, x>.
