@@ -23,7 +23,7 @@ dgd::SupportPoint<double> Support(const void* object, const Vector3& direction) 
 
 }  // namespace
 
-SupportCore ThroughBullet(const btConvexShape& shape, double radius) {
+dgd::CustomCore ThroughBullet(const btConvexShape& shape, double radius) {
   std::array<Vector3, 6> extremes;
   Vector3 center = Vector3::Zero();
   for (std::size_t i = 0; i < extremes.size(); ++i) {

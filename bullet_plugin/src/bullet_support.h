@@ -1,8 +1,8 @@
 // Any convex Bullet shape through its own virtual support function: multi-spheres, scaled shapes, users' shapes.
 #pragma once
 
+#include "dgd/shapes/custom_core.h"
 #include "dgd_bullet/linkage.h"
-#include "support_core.h"
 
 class btConvexShape;
 
@@ -13,7 +13,7 @@ inline namespace DGD_BULLET_PRECISION {
 /// The centre is the mean of the support points along the axes. An inradius is only computed for a
 /// `radius` of 0, from the hull of those points: a rounded set needs none.
 /// @param radius  That the core is rounded by, metres.
-SupportCore ThroughBullet(const btConvexShape& shape, double radius);
+dgd::CustomCore ThroughBullet(const btConvexShape& shape, double radius);
 
 }  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -22,7 +22,6 @@
 #include "pair_motion.h"
 #include "pair_order.h"
 #include "pair_patch.h"
-#include "pair_solver.h"
 #include "prefetch.h"
 #include "resting_pair.h"
 #include "shape_adapter.h"
@@ -296,7 +295,8 @@ void ConvexConvexAlgorithm::FindNormal(Query& query) {
   query.has_growth_distance = !is_known;
   if (!is_known) {
     MoveCentersTogether(query.shape_a, query.shape_b);
-    query.result = SolvePair(query.shape_a, query.shape_b, query.settings, warm_start_);
+    query.result = dgd::GrowthDistance(query.shape_a.set, query.shape_a.pose, query.shape_b.set, query.shape_b.pose,
+                                       query.settings, &warm_start_);
   }
   may_be_apart_ = is_known || query.result.status == dgd::Status::kSeparated || query.result.separation > 0;
 }

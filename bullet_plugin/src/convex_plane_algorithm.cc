@@ -60,9 +60,7 @@ GeometryMode GeometryAgainstPlanes(const btConvexShape& shape, GeometryMode mode
 dgd::ContactPatch<double> FindPatchOnPlane(const PosedShape& shape, const dgd::Result<double>& result,
                                            const dgd::PatchSettings<double>& settings, const PairMotion& motion,
                                            const Options& options) {
-  const auto facing = std::visit(
-      [&](const auto& set) { return dgd::FindFacingFaces(set, shape.pose, dgd::HalfSpace<double>(), result); },
-      shape.set);
+  const auto facing = dgd::FindFacingFaces(shape.set, shape.pose, dgd::HalfSpace<double>(), result);
   dgd::ContactPatch<double> patch = FindPatch(result, facing, settings, motion);
   if (options.rim_damping) AddRimPoint(shape, result, facing, settings, motion, patch);
   return patch;
@@ -106,9 +104,7 @@ std::optional<Fallback> ConvexPlaneAlgorithm::FindContacts(const Bodies& bodies,
       AdaptShape(shape, convex.getWorldTransform(), GeometryAgainstPlanes(shape, options.geometry_mode),
                  narrowphase_.hulls(), hull_, narrowphase_.HullUseFor(IsAskedByApp(output)));
   const Pose pose_of_plane{dgd::FrameAlong<double>(border.up), border.point};
-  const auto result = std::visit(
-      [&](const auto& set) { return dgd::GrowthDistance(set, posed.pose, dgd::HalfSpace<double>(), pose_of_plane); },
-      posed.set);
+  const auto result = dgd::GrowthDistance(posed.set, posed.pose, dgd::HalfSpace<double>(), pose_of_plane);
   // Sets without an interior have a separation all the same.
   if (result.status == dgd::Status::kInvalidInput) return Fallback::kInvalid;
   outcome.iterations = result.iterations;

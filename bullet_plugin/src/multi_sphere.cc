@@ -53,7 +53,7 @@ bool HaveOneRadius(const btMultiSphereShape& spheres) {
   return true;
 }
 
-SupportCore CoreOfSpheres(const btMultiSphereShape& spheres) {
+dgd::CustomCore CoreOfSpheres(const btMultiSphereShape& spheres) {
   Vector3 center = Vector3::Zero();
   for (int i = 0; i < spheres.getSphereCount(); ++i) center += CenterOf(spheres, i) / double(spheres.getSphereCount());
   return {&spheres, Support, center, 0, 0};

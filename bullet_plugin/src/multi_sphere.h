@@ -3,8 +3,8 @@
 
 #include <BulletCollision/CollisionShapes/btMultiSphereShape.h>
 
+#include "dgd/shapes/custom_core.h"
 #include "dgd_bullet/linkage.h"
-#include "support_core.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
@@ -22,7 +22,7 @@ bool HaveOneRadius(const btMultiSphereShape& spheres);
 /// The hull of the spheres, each with its radius less the smallest one, of a shape for which AreSpheres() holds. It is
 /// evaluated in double in both precisions: with the roundoff of Bullet's own support function in float, flat shapes do
 /// not converge. The shape must outlive it.
-SupportCore CoreOfSpheres(const btMultiSphereShape& spheres);
+dgd::CustomCore CoreOfSpheres(const btMultiSphereShape& spheres);
 
 }  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

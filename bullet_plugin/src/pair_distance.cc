@@ -1,19 +1,14 @@
 #include "pair_distance.h"
 
-#include <type_traits>
+#include <algorithm>
 
 #include "dgd/boxes_apart.h"
-#include "dgd/signed_distance.h"
-#include "pair_visit.h"
 
 namespace dgd_bullet {
 namespace {
 
 /// Of the tolerance.
 constexpr double kLeastGain = 0.1;
-
-template <class Set>
-constexpr bool kIsBox = std::is_same_v<Set, dgd::RoundedSet<dgd::Box<double>>>;
 
 void Take(const dgd::SignedDistanceResult<double>& turned, dgd::Result<double>& result) {
   result.normal = turned.normal;
@@ -30,74 +25,60 @@ bool TakeIfCertain(const dgd::SignedDistanceResult<double>& followed, dgd::Resul
   return true;
 }
 
+bool IsCustom(const PosedShape& shape_a, const PosedShape& shape_b) {
+  return shape_a.set.IsCustom() || shape_b.set.IsCustom();
+}
+
 }  // namespace
 
 bool TurnToLeastTranslation(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Settings<double>& settings,
                             dgd::WarmStart<double>& warm_start, dgd::Result<double>& result) {
-  return VisitPair(
-      shape_a, shape_b, settings,
-      [&]<class SetA, class SetB>(const SetA& set_a, const SetB& set_b, const dgd::Settings<double>& for_pair) {
-        dgd::WarmStart<double> follow;
-        const dgd::SignedDistanceResult<double> turned =
-            dgd::SignedDistance(set_a, shape_a.pose, set_b, shape_b.pose, result, &warm_start, for_pair, &follow);
-        if (turned.status == dgd::Status::kInvalidInput) return false;
-        // Whatever else its status, the separation along a normal is certain. A gain within the rounding of the shapes
-        // is none: it would cost the witness points more.
-        const double radius = set_a.radius + set_b.radius;
-        const double size = set_a.core.Inradius() + set_b.core.Inradius() + radius;
-        const double negligible = kLeastGain * for_pair.relative_tolerance * size;
-        if (turned.separation > result.separation + negligible) Take(turned, result);
-        if constexpr (!kIsErased<SetA>) {
-          if (turned.status != dgd::Status::kOptimal || !(turned.separation + radius > negligible)) return false;
-          warm_start = follow;
-          return true;
-        } else {
-          return false;
-        }
-      });
+  dgd::WarmStart<double> follow;
+  const dgd::SignedDistanceResult<double> turned =
+      dgd::SignedDistance(shape_a.set, shape_a.pose, shape_b.set, shape_b.pose, result, &warm_start, settings, &follow);
+  if (turned.status == dgd::Status::kInvalidInput) return false;
+  // Whatever else its status, the separation along a normal is certain. A gain within the rounding of the shapes is
+  // none: it would cost the witness points more.
+  const double tolerance = std::max({settings.relative_tolerance, shape_a.set.Accuracy(), shape_b.set.Accuracy()});
+  const double radius = shape_a.set.Radius() + shape_b.set.Radius();
+  const double size = shape_a.set.CoreInradius() + shape_b.set.CoreInradius() + radius;
+  const double negligible = kLeastGain * tolerance * size;
+  if (turned.separation > result.separation + negligible) Take(turned, result);
+  if (IsCustom(shape_a, shape_b)) return false;
+  if (turned.status != dgd::Status::kOptimal || !(turned.separation + radius > negligible)) return false;
+  warm_start = follow;
+  return true;
 }
 
 bool FollowDistance(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Settings<double>& settings,
                     dgd::WarmStart<double>& warm_start, dgd::Result<double>& result) {
-  return VisitPair(shape_a, shape_b, settings,
-                   [&]<class SetA, class SetB>([[maybe_unused]] const SetA& set_a, [[maybe_unused]] const SetB& set_b,
-                                               [[maybe_unused]] const dgd::Settings<double>& for_pair) {
-                     if constexpr (!kIsErased<SetA>) {
-                       // Sharp bodies in contact overlap.
-                       if (!(set_a.radius + set_b.radius > 0)) return false;
-                       // Without a state, the growth distance tells sooner that polytopes are apart.
-                       if (dgd::MinkowskiDifference<SetA, SetB>::kIsPolytope && warm_start.size == 0) return false;
-                       return TakeIfCertain(
-                           dgd::FollowDistance(set_a, shape_a.pose, set_b, shape_b.pose, for_pair, warm_start), result);
-                     } else {
-                       return false;
-                     }
-                   });
+  if (IsCustom(shape_a, shape_b)) return false;
+  // Sharp bodies in contact overlap.
+  if (!(shape_a.set.Radius() + shape_b.set.Radius() > 0)) return false;
+  // Without a state, the growth distance tells sooner that polytopes are apart.
+  const bool are_polytopes = shape_a.set.AsPolytope() != nullptr && shape_b.set.AsPolytope() != nullptr;
+  if (are_polytopes && warm_start.size == 0) return false;
+  return TakeIfCertain(dgd::FollowDistance(shape_a.set, shape_a.pose, shape_b.set, shape_b.pose, settings, warm_start),
+                       result);
 }
 
 bool FollowContact(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Settings<double>& settings,
                    double angular_tolerance, dgd::FaceHolder& holder, dgd::WarmStart<double>& warm_start,
                    dgd::FacingFaces<double>& facing, dgd::Result<double>& result) {
-  return VisitPair(shape_a, shape_b, settings,
-                   [&]<class SetA, class SetB>([[maybe_unused]] const SetA& set_a, [[maybe_unused]] const SetB& set_b,
-                                               [[maybe_unused]] const dgd::Settings<double>& for_pair) {
-                     // What only Bullet can evaluate shows no faces.
-                     if constexpr (kIsErased<SetA>) {
-                       return false;
-                     } else if constexpr (kIsBox<SetA> && kIsBox<SetB>) {
-                       const bool is_certain =
-                           TakeIfCertain(dgd::FollowBoxes(set_a, shape_a.pose, set_b, shape_b.pose, for_pair,
-                                                          angular_tolerance, holder, warm_start, facing),
-                                         result);
-                       if (is_certain) holder = dgd::HolderOf(facing);
-                       return is_certain;
-                     } else {
-                       return holder != dgd::FaceHolder::kNone &&
-                              TakeIfCertain(dgd::FollowFace(set_a, shape_a.pose, set_b, shape_b.pose, for_pair,
-                                                            angular_tolerance, holder, warm_start, facing),
-                                            result);
-                     }
-                   });
+  const dgd::Box<double>*box_a = shape_a.set.AsBox(), *box_b = shape_b.set.AsBox();
+  if (box_a != nullptr && box_b != nullptr) {
+    const dgd::RoundedSet<dgd::Box<double>> set_a{*box_a, shape_a.set.Radius()}, set_b{*box_b, shape_b.set.Radius()};
+    const bool is_certain = TakeIfCertain(dgd::FollowBoxes(set_a, shape_a.pose, set_b, shape_b.pose, settings,
+                                                           angular_tolerance, holder, warm_start, facing),
+                                          result);
+    if (is_certain) holder = dgd::HolderOf(facing);
+    return is_certain;
+  }
+  // What only Bullet can evaluate shows no faces.
+  if (holder == dgd::FaceHolder::kNone || IsCustom(shape_a, shape_b)) return false;
+  return TakeIfCertain(dgd::FollowFace(shape_a.set, shape_a.pose, shape_b.set, shape_b.pose, settings,
+                                       angular_tolerance, holder, warm_start, facing),
+                       result);
 }
 
 }  // namespace dgd_bullet

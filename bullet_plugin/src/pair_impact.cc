@@ -5,7 +5,6 @@
 
 #include "dgd/assert.h"
 #include "pair_distance.h"
-#include "pair_solver.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
@@ -37,7 +36,7 @@ dgd::Result<double> MovingPair::Distance(const dgd::Settings<double>& settings, 
                                          dgd::WarmStart<double>& warm_start) const {
   dgd::Result<double> result;
   if (follows && FollowDistance(a_, b_, settings, warm_start, result)) return result;
-  result = SolvePair(a_, b_, settings, warm_start);
+  result = dgd::GrowthDistance(a_.set, a_.pose, b_.set, b_.pose, settings, &warm_start);
   TurnToLeastTranslation(a_, b_, settings, warm_start, result);
   return result;
 }

@@ -28,9 +28,7 @@ Vector3 FarthestOnceTurned(const PosedShape& shape, const Vector3& direction, co
   const double angle = turn.norm();
   const Vector3 seen = angle > 0 ? Vector3(Eigen::AngleAxisd(-angle, turn / angle) * direction) : direction;
   const Vector3 local = shape.pose.rotation.transpose() * seen;
-  return std::visit(
-      [&](const auto& set) -> Vector3 { return shape.pose * set.core.Support(local).point + set.radius * direction; },
-      shape.set);
+  return shape.pose * shape.set.CoreSupport(local) + shape.set.Radius() * direction;
 }
 
 /// If it will be in overlap at the end of the step, or deeper, by more than bodies at rest move.
@@ -51,14 +49,7 @@ void AddComing(const dgd::ContactPoint<double>& coming, const Vector3& normal,
 
 void FindFacingFaces(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Result<double>& result,
                      double angular_tolerance, dgd::FacingFaces<double>& facing) {
-  facing.Clear();
-  facing.frame = dgd::PatchFrame<double>(result);
-  const auto find = [&](const PosedShape& shape, const Vector3& direction, dgd::SupportingFace<double>& face) {
-    std::visit([&](const auto& set) { dgd::FindFace(set, shape.pose, direction, facing.frame, face); }, shape.set);
-  };
-  find(shape_a, result.normal, facing.face_1);
-  find(shape_b, -result.normal, facing.face_2);
-  facing.FindOverlap(angular_tolerance);
+  dgd::FindFacingFaces(shape_a.set, shape_a.pose, shape_b.set, shape_b.pose, result, angular_tolerance, facing);
 }
 
 dgd::ContactPatch<double> FindPatch(const dgd::Result<double>& result, const dgd::FacingFaces<double>& facing,

@@ -27,8 +27,8 @@ namespace {
 class ShapeContent {
  public:
   /// @return nothing for a core that is known by its support function alone.
-  static std::optional<std::string> Of(const ShapeSet& set) {
-    return std::visit([](const auto& rounded) { return ShapeContent(rounded.radius).With(rounded.core); }, set);
+  static std::optional<std::string> Of(const dgd::AnySet& set) {
+    return set.Visit([](const auto& rounded) { return ShapeContent(rounded.radius).With(rounded.core); });
   }
 
  private:
@@ -55,7 +55,14 @@ class ShapeContent {
   Content With(const dgd::CoreReference<dgd::Polytope<double>>& hull) const {
     return Make(Core::kHull, CoordinatesOf(hull));
   }
-  Content With(const SupportCore&) const { return std::nullopt; }
+  template <class... Cores>
+  Content With(const dgd::OneOf<Cores...>& core) const {
+    return core.Visit([this](const auto& one) { return With(one); });
+  }
+  /// Of no Bullet shape.
+  Content With(const dgd::Frustum<double>&) const { return std::nullopt; }
+  Content With(const dgd::Ellipsoid<double>&) const { return std::nullopt; }
+  Content With(const dgd::CustomCore&) const { return std::nullopt; }
 
   template <class VertexCore>
   static std::vector<double> CoordinatesOf(const VertexCore& core) {
@@ -179,7 +186,7 @@ class Recorder::Writer {
   }
 
   /// Of a shape of this content, which is written if it is new.
-  std::optional<std::uint32_t> NumberOf(const ShapeSet& set) {
+  std::optional<std::uint32_t> NumberOf(const dgd::AnySet& set) {
     std::optional<std::string> content = ShapeContent::Of(set);
     if (!content) return std::nullopt;
     const auto [place, is_new] = shapes_.try_emplace(std::move(*content), static_cast<std::uint32_t>(shapes_.size()));

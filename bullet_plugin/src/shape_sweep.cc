@@ -3,15 +3,15 @@
 #include <BulletCollision/CollisionShapes/btConvexShape.h>
 
 #include <exception>
-#include <utility>
 
 #include "bullet_conversions.h"
-#include "pair_sweep.h"
 #include "shape_adapter.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 namespace {
+
+using Motion = dgd::Motion<double>;
 
 /// Of the shape's body, whatever the shape's own axis.
 Motion WayOf(const MovingShape& moving) { return Motion::Between(FromBullet(moving.from), FromBullet(moving.to)); }
@@ -33,12 +33,7 @@ dgd::TimeOfImpactResult<double> SweepShapes(const MovingShape& a, const MovingSh
   PosedShape shape_a = AdaptShape(a.shape, a.from, geometry, cache, a.hull, use);
   PosedShape shape_b = AdaptShape(b.shape, b.from, geometry, cache, b.hull, use);
   MoveCentersTogether(shape_a, shape_b);
-  const Motion way_a = WayOf(a, shape_a), way_b = WayOf(b, shape_b);
-  if (IsInOrder(shape_a, shape_b)) return SweepPair(shape_a, way_a, shape_b, way_b, {});
-  dgd::TimeOfImpactResult<double> result = SweepPair(shape_b, way_b, shape_a, way_a, {});
-  result.normal = -result.normal;
-  std::swap(result.witness_1, result.witness_2);
-  return result;
+  return dgd::TimeOfImpact(shape_a.set, WayOf(a, shape_a), shape_b.set, WayOf(b, shape_b));
 } catch (const std::exception&) {
   return {};  // A shape that is not one: NaN or infinite sizes, no points.
 }

@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "pair_distance.h"
-#include "pair_solver.h"
 #include "plugin/rigid_body.h"
 
 namespace dgd_test {
@@ -37,7 +36,7 @@ dgd_bullet::PredictedEncounter Encountering(double height, double edge, const Ve
 
   dgd::Settings<double> settings;
   dgd::WarmStart<double> warm_start;
-  dgd::Result<double> result = dgd_bullet::SolvePair(tile, box, settings, warm_start);
+  dgd::Result<double> result = dgd::GrowthDistance(tile.set, tile.pose, box.set, box.pose, settings, &warm_start);
   const bool follows = dgd_bullet::TurnToLeastTranslation(tile, box, settings, warm_start, result);
   dgd_bullet::MovingPair pair(tile, box, motion);
   pair.MoveTo(1);

@@ -56,13 +56,12 @@ bool IsUndecided(const Result<S>& growth) {
 
 /// The plane between two sets that the growth distance brings, as far as Result's status, normal, separation and
 /// witness points go; the signed distance's where that brings none.
-template <class Set1, class Set2>
-ResultOf<Set1> PlaneBetween(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
-                            const PoseOf<Set1>& pose_2, WarmStartOf<Set1>& warm_start) {
-  using S = typename Set1::Scalar;
+template <class S, class Set1, class Set2>
+Result<S> PlaneBetween(const Set1& set_1, const Pose<S>& pose_1, const Set2& set_2, const Pose<S>& pose_2,
+                       WarmStart<S>& warm_start) {
   Settings<S> settings;
   settings.relative_tolerance = kPlaneTolerance<S>;
-  ResultOf<Set1> result = GrowthDistance(set_1, pose_1, set_2, pose_2, settings, &warm_start);
+  Result<S> result = GrowthDistance(set_1, pose_1, set_2, pose_2, settings, &warm_start);
   if (!IsUndecided(result)) return result;
   const SignedDistanceResult<S> distance = SignedDistance(set_1, pose_1, set_2, pose_2, result, &warm_start, settings);
   result.status = distance.status;

@@ -5,7 +5,6 @@
 
 #include "bench/stopwatch.h"
 #include "pair_distance.h"
-#include "pair_solver.h"
 
 namespace dgd_bench {
 namespace {
@@ -16,13 +15,13 @@ using dgd_test::SetType;
 /// A set of the plugin's, and the hull that it refers to.
 struct OwnedShape {
   std::shared_ptr<const dgd::Polytope<double>> hull;
-  std::optional<dgd_bullet::ShapeSet> set;  ///< Nothing for what Bullet has no shape for.
+  std::optional<dgd::AnySet> set;  ///< Nothing for what Bullet has no shape for.
 };
 
 OwnedShape MakeShape(const SetNumbers& numbers) {
   const auto& lengths = numbers.lengths;
   const auto rounded = [&](auto core) -> OwnedShape {
-    return {nullptr, dgd::RoundedSet<decltype(core)>{std::move(core), numbers.radius}};
+    return {nullptr, dgd::AnySet(dgd::RoundedSet<decltype(core)>{std::move(core), numbers.radius})};
   };
   switch (numbers.type) {
     case SetType::kPoint:
@@ -103,7 +102,7 @@ class OursPeer : public Peer {
         dgd_bullet::FollowDistance(shape_1, shape_2, kSettings, memory.warm_start, result)) {
       return result;
     }
-    result = dgd_bullet::SolvePair(shape_1, shape_2, kSettings, memory.warm_start);
+    result = dgd::GrowthDistance(shape_1.set, shape_1.pose, shape_2.set, shape_2.pose, kSettings, &memory.warm_start);
     memory.may_be_apart = dgd_bullet::TurnToLeastTranslation(shape_1, shape_2, kSettings, memory.warm_start, result);
     return result;
   }

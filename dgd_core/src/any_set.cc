@@ -1,0 +1,124 @@
+#include "dgd/any_set.h"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "dgd/half_space_distance.h"
+#include "dgd/half_space_patch.h"
+#include "pair_solver.h"
+
+namespace dgd {
+namespace {
+
+/// The set behind a function pointer; refers to it.
+CustomSet Erase(const CustomSet& set) { return set; }
+template <class Set>
+CustomSet Erase(const Set& set) {
+  return {CustomCore(set.core), set.radius};
+}
+CustomSet Erase(const AnySet& set) {
+  return set.Visit([](const auto& rounded) { return Erase(rounded); });
+}
+
+/// Calls query(solver, set_1, set_2) with the PairSolver of the two sets. What meets a custom core is called through a
+/// function pointer, too.
+template <class Query>
+auto Dispatch(const AnySet& set_1, const AnySet& set_2, const Query& query) {
+  if (set_1.IsCustom() || set_2.IsCustom()) {
+    return query(PairSolver<CustomSet, CustomSet>(), Erase(set_1), Erase(set_2));
+  }
+  const auto dispatch = [&query]<class Set1, class Set2>(const Set1& a, const Set2& b) {
+    return query(PairSolver<Set1, Set2>(), a, b);
+  };
+  const PolytopeSet *polytope_1 = set_1.AsPolytope(), *polytope_2 = set_2.AsPolytope();
+  if (polytope_1 != nullptr) {
+    return polytope_2 != nullptr ? dispatch(*polytope_1, *polytope_2) : dispatch(*polytope_1, *set_2.AsCurved());
+  }
+  return polytope_2 != nullptr ? dispatch(*set_1.AsCurved(), *polytope_2)
+                               : dispatch(*set_1.AsCurved(), *set_2.AsCurved());
+}
+
+Settings<double> RaiseTolerance(const AnySet& set_1, const AnySet& set_2, Settings<double> settings) {
+  settings.relative_tolerance = std::max({settings.relative_tolerance, set_1.Accuracy(), set_2.Accuracy()});
+  return settings;
+}
+
+}  // namespace
+
+Result<double> GrowthDistance(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
+                              const Pose<double>& pose_2, const Settings<double>& settings,
+                              WarmStart<double>* warm_start) {
+  const Settings<double> raised = RaiseTolerance(set_1, set_2, settings);
+  return Dispatch(set_1, set_2, [&](auto solver, const auto& a, const auto& b) {
+    return solver.GrowthDistance(a, pose_1, b, pose_2, raised, warm_start);
+  });
+}
+
+CollisionResult<double> DetectCollision(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
+                                        const Pose<double>& pose_2, const Settings<double>& settings,
+                                        WarmStart<double>* warm_start) {
+  const Settings<double> raised = RaiseTolerance(set_1, set_2, settings);
+  return Dispatch(set_1, set_2, [&](auto solver, const auto& a, const auto& b) {
+    return solver.DetectCollision(a, pose_1, b, pose_2, raised, warm_start);
+  });
+}
+
+SignedDistanceResult<double> SignedDistance(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
+                                            const Pose<double>& pose_2, const Result<double>& growth,
+                                            const WarmStart<double>* warm_start, const Settings<double>& settings,
+                                            WarmStart<double>* follow) {
+  const Settings<double> raised = RaiseTolerance(set_1, set_2, settings);
+  return Dispatch(set_1, set_2, [&](auto solver, const auto& a, const auto& b) {
+    return solver.SignedDistance(a, pose_1, b, pose_2, growth, warm_start, raised, follow);
+  });
+}
+
+SignedDistanceResult<double> FollowDistance(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
+                                            const Pose<double>& pose_2, const Settings<double>& settings,
+                                            WarmStart<double>& state) {
+  const Settings<double> raised = RaiseTolerance(set_1, set_2, settings);
+  return Dispatch(set_1, set_2, [&](auto solver, const auto& a, const auto& b) {
+    return solver.FollowDistance(a, pose_1, b, pose_2, raised, state);
+  });
+}
+
+SignedDistanceResult<double> FollowFace(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
+                                        const Pose<double>& pose_2, const Settings<double>& settings,
+                                        double angular_tolerance, FaceHolder holder, WarmStart<double>& state,
+                                        FacingFaces<double>& facing) {
+  const Settings<double> raised = RaiseTolerance(set_1, set_2, settings);
+  return Dispatch(set_1, set_2, [&](auto solver, const auto& a, const auto& b) {
+    return solver.FollowFace(a, pose_1, b, pose_2, raised, angular_tolerance, holder, state, facing);
+  });
+}
+
+void FindFacingFaces(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2, const Pose<double>& pose_2,
+                     const Result<double>& result, double angular_tolerance, FacingFaces<double>& facing) {
+  facing.Clear();
+  facing.frame = PatchFrame<double>(result);
+  set_1.Visit([&](const auto& set) { FindFace(set, pose_1, result.normal, facing.frame, facing.face_1); });
+  set_2.Visit([&](const auto& set) { FindFace(set, pose_2, -result.normal, facing.frame, facing.face_2); });
+  facing.FindOverlap(angular_tolerance);
+}
+
+TimeOfImpactResult<double> TimeOfImpact(const AnySet& set_1, const Motion<double>& motion_1, const AnySet& set_2,
+                                        const Motion<double>& motion_2, const SweepSettings<double>& settings) {
+  WarmStart<double> warm_start;
+  const auto plane_between = [&](const Pose<double>& pose_1, const Pose<double>& pose_2) {
+    return PlaneBetween(set_1, pose_1, set_2, pose_2, warm_start);
+  };
+  // Planes are swept along one set at a time: through a function pointer, which is compiled once.
+  return TimeOfImpact(Erase(set_1), motion_1, Erase(set_2), motion_2, settings, plane_between);
+}
+
+Result<double> GrowthDistance(const AnySet& set, const Pose<double>& pose, const HalfSpace<double>& half_space,
+                              const Pose<double>& half_space_pose) {
+  return set.Visit([&](const auto& rounded) { return GrowthDistance(rounded, pose, half_space, half_space_pose); });
+}
+
+FacingFaces<double> FindFacingFaces(const AnySet& set, const Pose<double>& pose, const HalfSpace<double>& half_space,
+                                    const Result<double>& result) {
+  return set.Visit([&](const auto& rounded) { return FindFacingFaces(rounded, pose, half_space, result); });
+}
+
+}  // namespace dgd

@@ -1,0 +1,7 @@
+#include "pair_solver_definitions.h"
+
+namespace dgd {
+
+template struct PairSolver<PolytopeSet, CurvedSet>;
+
+}  // namespace dgd
