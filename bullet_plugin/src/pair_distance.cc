@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "dgd/boxes_apart.h"
-
 namespace dgd_bullet {
 namespace {
 
@@ -63,17 +61,8 @@ bool FollowDistance(const PosedShape& shape_a, const PosedShape& shape_b, const 
 }
 
 bool FollowContact(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Settings<double>& settings,
-                   double angular_tolerance, dgd::FaceHolder& holder, dgd::WarmStart<double>& warm_start,
+                   double angular_tolerance, dgd::FaceHolder holder, dgd::WarmStart<double>& warm_start,
                    dgd::FacingFaces<double>& facing, dgd::Result<double>& result) {
-  const dgd::Box<double>*box_a = shape_a.set.AsBox(), *box_b = shape_b.set.AsBox();
-  if (box_a != nullptr && box_b != nullptr) {
-    const dgd::RoundedSet<dgd::Box<double>> set_a{*box_a, shape_a.set.Radius()}, set_b{*box_b, shape_b.set.Radius()};
-    const bool is_certain = TakeIfCertain(dgd::FollowBoxes(set_a, shape_a.pose, set_b, shape_b.pose, settings,
-                                                           angular_tolerance, holder, warm_start, facing),
-                                          result);
-    if (is_certain) holder = dgd::HolderOf(facing);
-    return is_certain;
-  }
   // What only Bullet can evaluate shows no faces.
   if (holder == dgd::FaceHolder::kNone || IsCustom(shape_a, shape_b)) return false;
   return TakeIfCertain(dgd::FollowFace(shape_a.set, shape_a.pose, shape_b.set, shape_b.pose, settings,

@@ -24,13 +24,13 @@ bool FollowDistance(const PosedShape& shape_a, const PosedShape& shape_b, const 
                     dgd::WarmStart<double>& warm_start, dgd::Result<double>& result);
 
 /// The same for a pair whose last contact was on a face of one of the shapes, and which most often lies there still:
-/// the contact's patch alone is proof of it (dgd::FollowFace()); and for any two boxes (dgd::FollowBoxes()).
-/// @param holder  In and out: of that face, if any.
+/// the contact's patch alone is proof of it (dgd::FollowFace()).
+/// @param holder  Of that face, if any.
 /// @param facing  Out: what the shapes show each other along the normal, if the result is optimal and a face is across
 ///                it; else without an overlap.
 /// @return false, with nothing but `facing` changed, if that does not tell.
 bool FollowContact(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Settings<double>& settings,
-                   double angular_tolerance, dgd::FaceHolder& holder, dgd::WarmStart<double>& warm_start,
+                   double angular_tolerance, dgd::FaceHolder holder, dgd::WarmStart<double>& warm_start,
                    dgd::FacingFaces<double>& facing, dgd::Result<double>& result);
 
 }  // namespace dgd_bullet

@@ -20,27 +20,24 @@ CustomSet Erase(const AnySet& set) {
   return set.Visit([](const auto& rounded) { return Erase(rounded); });
 }
 
-/// Calls query(solver, set_1, set_2) with the PairSolver of the two sets. What meets a custom core is called through a
-/// function pointer, too.
+/// Calls query(solver, set_1, set_2, settings) with the PairSolver of the two sets. What meets a custom core is called
+/// through a function pointer, too, and the tolerance is raised to what that is accurate to.
 template <class Query>
-auto Dispatch(const AnySet& set_1, const AnySet& set_2, const Query& query) {
+auto Dispatch(const AnySet& set_1, const AnySet& set_2, const Settings<double>& settings, const Query& query) {
   if (set_1.IsCustom() || set_2.IsCustom()) {
-    return query(PairSolver<CustomSet, CustomSet>(), Erase(set_1), Erase(set_2));
+    Settings<double> raised = settings;
+    raised.relative_tolerance = std::max({settings.relative_tolerance, set_1.Accuracy(), set_2.Accuracy()});
+    return query(PairSolver<CustomSet, CustomSet>(), Erase(set_1), Erase(set_2), raised);
   }
-  const auto dispatch = [&query]<class Set1, class Set2>(const Set1& a, const Set2& b) {
-    return query(PairSolver<Set1, Set2>(), a, b);
+  const auto dispatch = [&]<class Set1, class Set2>(const Set1& a, const Set2& b) {
+    return query(PairSolver<Set1, Set2>(), a, b, settings);
   };
   const PolytopeSet *polytope_1 = set_1.AsPolytope(), *polytope_2 = set_2.AsPolytope();
+  const CurvedSet *curved_1 = set_1.AsCurved(), *curved_2 = set_2.AsCurved();
   if (polytope_1 != nullptr) {
-    return polytope_2 != nullptr ? dispatch(*polytope_1, *polytope_2) : dispatch(*polytope_1, *set_2.AsCurved());
+    return polytope_2 != nullptr ? dispatch(*polytope_1, *polytope_2) : dispatch(*polytope_1, *curved_2);
   }
-  return polytope_2 != nullptr ? dispatch(*set_1.AsCurved(), *polytope_2)
-                               : dispatch(*set_1.AsCurved(), *set_2.AsCurved());
-}
-
-Settings<double> RaiseTolerance(const AnySet& set_1, const AnySet& set_2, Settings<double> settings) {
-  settings.relative_tolerance = std::max({settings.relative_tolerance, set_1.Accuracy(), set_2.Accuracy()});
-  return settings;
+  return polytope_2 != nullptr ? dispatch(*curved_1, *polytope_2) : dispatch(*curved_1, *curved_2);
 }
 
 }  // namespace
@@ -48,18 +45,16 @@ Settings<double> RaiseTolerance(const AnySet& set_1, const AnySet& set_2, Settin
 Result<double> GrowthDistance(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
                               const Pose<double>& pose_2, const Settings<double>& settings,
                               WarmStart<double>* warm_start) {
-  const Settings<double> raised = RaiseTolerance(set_1, set_2, settings);
-  return Dispatch(set_1, set_2, [&](auto solver, const auto& a, const auto& b) {
-    return solver.GrowthDistance(a, pose_1, b, pose_2, raised, warm_start);
+  return Dispatch(set_1, set_2, settings, [&](auto solver, const auto& a, const auto& b, const auto& for_pair) {
+    return solver.GrowthDistance(a, pose_1, b, pose_2, for_pair, warm_start);
   });
 }
 
 CollisionResult<double> DetectCollision(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
                                         const Pose<double>& pose_2, const Settings<double>& settings,
                                         WarmStart<double>* warm_start) {
-  const Settings<double> raised = RaiseTolerance(set_1, set_2, settings);
-  return Dispatch(set_1, set_2, [&](auto solver, const auto& a, const auto& b) {
-    return solver.DetectCollision(a, pose_1, b, pose_2, raised, warm_start);
+  return Dispatch(set_1, set_2, settings, [&](auto solver, const auto& a, const auto& b, const auto& for_pair) {
+    return solver.DetectCollision(a, pose_1, b, pose_2, for_pair, warm_start);
   });
 }
 
@@ -67,18 +62,16 @@ SignedDistanceResult<double> SignedDistance(const AnySet& set_1, const Pose<doub
                                             const Pose<double>& pose_2, const Result<double>& growth,
                                             const WarmStart<double>* warm_start, const Settings<double>& settings,
                                             WarmStart<double>* follow) {
-  const Settings<double> raised = RaiseTolerance(set_1, set_2, settings);
-  return Dispatch(set_1, set_2, [&](auto solver, const auto& a, const auto& b) {
-    return solver.SignedDistance(a, pose_1, b, pose_2, growth, warm_start, raised, follow);
+  return Dispatch(set_1, set_2, settings, [&](auto solver, const auto& a, const auto& b, const auto& for_pair) {
+    return solver.SignedDistance(a, pose_1, b, pose_2, growth, warm_start, for_pair, follow);
   });
 }
 
 SignedDistanceResult<double> FollowDistance(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
                                             const Pose<double>& pose_2, const Settings<double>& settings,
                                             WarmStart<double>& state) {
-  const Settings<double> raised = RaiseTolerance(set_1, set_2, settings);
-  return Dispatch(set_1, set_2, [&](auto solver, const auto& a, const auto& b) {
-    return solver.FollowDistance(a, pose_1, b, pose_2, raised, state);
+  return Dispatch(set_1, set_2, settings, [&](auto solver, const auto& a, const auto& b, const auto& for_pair) {
+    return solver.FollowDistance(a, pose_1, b, pose_2, for_pair, state);
   });
 }
 
@@ -86,9 +79,8 @@ SignedDistanceResult<double> FollowFace(const AnySet& set_1, const Pose<double>&
                                         const Pose<double>& pose_2, const Settings<double>& settings,
                                         double angular_tolerance, FaceHolder holder, WarmStart<double>& state,
                                         FacingFaces<double>& facing) {
-  const Settings<double> raised = RaiseTolerance(set_1, set_2, settings);
-  return Dispatch(set_1, set_2, [&](auto solver, const auto& a, const auto& b) {
-    return solver.FollowFace(a, pose_1, b, pose_2, raised, angular_tolerance, holder, state, facing);
+  return Dispatch(set_1, set_2, settings, [&](auto solver, const auto& a, const auto& b, const auto& for_pair) {
+    return solver.FollowFace(a, pose_1, b, pose_2, for_pair, angular_tolerance, holder, state, facing);
   });
 }
 

@@ -38,10 +38,10 @@ void CheckEveryIterationLimit(int pairs) {
     const CoreType type_2 = kCoreTypes[static_cast<std::size_t>(random.Below(7))];
     const ReferencePair reference = RandomPair(random, type_1, random.Flip(), type_2, random.Flip());
     const SolverPair<S> pair(reference);
-    const dgd::Result<S> last = pair.GrowthDistance({.facet_walk = false});
+    const dgd::Result<S> last = pair.ObservedGrowthDistance({});
     S lower_bound = 0, upper_bound = std::numeric_limits<S>::infinity();
     for (int limit = 1; limit <= last.iterations; ++limit) {
-      const dgd::Result<S> result = pair.GrowthDistance({.max_iterations = limit, .facet_walk = false});
+      const dgd::Result<S> result = pair.ObservedGrowthDistance({.max_iterations = limit});
       ASSERT_EQ(result.status, limit < last.iterations ? dgd::Status::kIterationLimit : last.status);
       ASSERT_EQ(result.iterations, limit);
       ASSERT_TRUE(BoundsHold<S>(reference, pair, result));
@@ -71,16 +71,17 @@ TEST(GrowthDistance, AnyRelativeTolerance_IsKept) {
     const CoreType type_2 = kCoreTypes[static_cast<std::size_t>(random.Below(7))];
     const ReferencePair reference = RandomPair(random, type_1, random.Flip(), type_2, random.Flip());
     const SolverPair<double> pair(reference);
-    const bool facet_walk = random.Flip();
+    const bool is_observed = random.Flip();
     int iterations = 1;
     for (const double tolerance : {1.0, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
+      const dgd::Settings<double> settings{.relative_tolerance = tolerance};
       const dgd::Result<double> result =
-          pair.GrowthDistance({.relative_tolerance = tolerance, .facet_walk = facet_walk});
+          is_observed ? pair.ObservedGrowthDistance(settings) : pair.GrowthDistance(settings);
       ASSERT_EQ(result.status, dgd::Status::kOptimal) << tolerance << "\n" << reference.Dump();
       ASSERT_LE(result.RelativeGap(), tolerance * 1.0001);
       ASSERT_TRUE(BoundsHold<double>(reference, pair, result));
       // A walk that is not certain where it ends is followed by another query.
-      ASSERT_TRUE(facet_walk || result.iterations >= iterations);
+      ASSERT_TRUE(!is_observed || result.iterations >= iterations);
       iterations = result.iterations;
     }
   }

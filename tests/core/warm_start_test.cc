@@ -59,59 +59,6 @@ void CompareIterations(double radius) {
   std::printf("radius %g: mean iterations cold %.2f, warm %.2f\n", radius, double(cold) / pairs, double(warm) / pairs);
   EXPECT_LT(double(warm), 0.7 * double(cold));
 }
-/// Ellipsoids of a thousand vertices, moved by 1 % of their length: iterations with all that a state holds, and with
-/// the basis alone; of queries that are watched, which no walk answers.
-TEST(WarmStart, MeshesAfterOnePercentMotion_NeedFewerIterationsWithAllPointsThatAreKnown) {
-  Random random(TestSeed());
-  std::vector<Eigen::Vector3d> points;
-  for (int i = 0; i < 1000; ++i) points.push_back(Eigen::Vector3d(0.5, 0.3, 0.1).cwiseProduct(random.UnitVector()));
-  const dgd::Mesh<double> mesh(points);
-  const dgd::RoundedSet<dgd::CoreReference<dgd::Mesh<double>>> set{mesh};
-  long all = 0, basis = 0;
-  const int pairs = TestCount(2000, 200);
-  for (int i = 0; i < pairs; ++i) {
-    const dgd::Pose<double> pose_1{random.Rotation(), Eigen::Vector3d::Zero()};
-    dgd::Pose<double> pose_2{random.Rotation(), random.Uniform(0.2, 1) * random.UnitVector()};
-    dgd::WarmStart<double> known_too;
-    (void)dgd::GrowthDistance(set, pose_1, set, pose_2, {.facet_walk = false}, &known_too);
-    dgd::WarmStart<double> basis_alone = known_too;
-    basis_alone.known_size = 0;
-    pose_2.translation += 0.01 * random.UnitVector();
-    const auto watch = [](const dgd::Iterate<double, 3>&) {};
-    all += dgd::GrowthDistance(set, pose_1, set, pose_2, {}, &known_too, watch).iterations;
-    basis += dgd::GrowthDistance(set, pose_1, set, pose_2, {}, &basis_alone, watch).iterations;
-  }
-  std::printf("mean iterations with all known points %.2f, with the basis %.2f\n", double(all) / pairs,
-              double(basis) / pairs);
-  EXPECT_LT(double(all), 0.95 * double(basis));
-}
-
-// A query that the first direction ends meets no other points: those of the query before are still of use.
-TEST(WarmStart, PairAtRest_KeepsThePointsThatAreKnown) {
-  Random random(TestSeed());
-  const int pairs = 100;
-  const dgd::Settings<double> settings{.facet_walk = false};
-  int with_points = 0;
-  for (int i = 0; i < pairs; ++i) {
-    ReferencePair reference;
-    reference.set_1 = RandomHull(random, 16, 0.5, 0);
-    reference.set_2 = RandomHull(random, 16, 0.5, 0);
-    PlaceRandomly(random, reference, {.closest = 0.2, .farthest = 5});
-    const SolverPair<double> pair(reference);
-    dgd::WarmStart<double> warm_start;
-    (void)pair.GrowthDistance(settings, &warm_start);
-    const dgd::WarmStart<double> first = warm_start;
-    if (pair.GrowthDistance(settings, &warm_start).iterations != 1) continue;
-    EXPECT_EQ(warm_start.known_size, first.known_size);
-    const auto begin = static_cast<std::size_t>(first.size), end = begin + static_cast<std::size_t>(first.known_size);
-    for (std::size_t k = begin; k < end; ++k) {
-      EXPECT_EQ(warm_start.features_1[k], first.features_1[k]);
-      EXPECT_EQ(warm_start.features_2[k], first.features_2[k]);
-    }
-    if (first.known_size > 0) ++with_points;
-  }
-  EXPECT_GT(with_points, pairs / 2);
-}
 
 TEST(WarmStart, PolytopesAfterOnePercentMotion_NeedFewerIterations) {
   CompareIterations(0);

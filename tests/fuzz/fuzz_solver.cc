@@ -95,13 +95,11 @@ dgd::WarmStart<S, L> ReadWarmStart(FuzzInput& input) {
   dgd::WarmStart<S, L> start;
   for (int axis = 0; axis < L; ++axis) start.normal_1[axis] = S(input.ModerateNumber());
   start.normal_1 = start.normal_1.stableNormalized().eval();
-  constexpr int kCapacity = dgd::WarmStart<S, L>::kCapacity;
   for (std::size_t i = 0; i < start.features_1.size(); ++i) {
     start.features_1[i] = input.Flip() ? input.Byte() : input.Bits<dgd::FeatureId>();
     start.features_2[i] = input.Flip() ? input.Byte() : input.Bits<dgd::FeatureId>();
   }
   start.size = input.Below(L + 1);
-  start.known_size = input.Below(kCapacity - start.size + 1);
   return start;
 }
 

@@ -31,6 +31,11 @@ struct SolverPair {
   dgd::Result<S> GrowthDistance(const dgd::Settings<S>& settings = {}, dgd::WarmStart<S>* warm_start = nullptr) const {
     return Pair().GrowthDistance(settings, warm_start);
   }
+  /// As an observer's query is answered: by RayIntersection alone, if the sets are polytopes.
+  dgd::Result<S> ObservedGrowthDistance(const dgd::Settings<S>& settings,
+                                        dgd::WarmStart<S>* warm_start = nullptr) const {
+    return Pair().GrowthDistance(settings, warm_start, [](const dgd::Iterate<S, 3>&) {});
+  }
   dgd::CollisionResult<S> DetectCollision(const dgd::Settings<S>& settings = {},
                                           dgd::WarmStart<S>* warm_start = nullptr) const {
     return Pair().DetectCollision(settings, warm_start);

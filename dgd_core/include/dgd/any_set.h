@@ -96,11 +96,6 @@ class AnySet {
   /// The set, if its core is one of vertices, or one of smooth pieces; else null.
   const RoundedSet<PolytopeCore>* AsPolytope() const { return std::get_if<RoundedSet<PolytopeCore>>(&set_); }
   const RoundedSet<CurvedCore>* AsCurved() const { return std::get_if<RoundedSet<CurvedCore>>(&set_); }
-  /// The core, if it is a Box<double>; else null.
-  const Box<double>* AsBox() const {
-    const auto* polytope = AsPolytope();
-    return polytope != nullptr ? polytope->core.As<Box<double>>() : nullptr;
-  }
 
  private:
   Variant set_;

@@ -10,6 +10,7 @@
 
 #include "dgd/assert.h"
 #include "dgd/facing_faces.h"
+#include "dgd/inlining.h"
 #include "dgd/query_types.h"
 #include "dgd/types.h"
 
@@ -135,9 +136,8 @@ void Reduce(const CornerList<S>& corners, const PatchSettings<S>& settings, Corn
 ///                          metres.
 /// Does not allocate or throw, if `is_approaching` does not.
 template <class S, class IsApproaching>
-[[gnu::flatten]] ContactPatch<S> FindContactPatch(const Result<S>& result, const FacingFaces<S>& facing,
-                                                  const PatchSettings<S>& settings,
-                                                  const IsApproaching& is_approaching) {
+DGD_FLATTEN ContactPatch<S> FindContactPatch(const Result<S>& result, const FacingFaces<S>& facing,
+                                             const PatchSettings<S>& settings, const IsApproaching& is_approaching) {
   using namespace contact_patch_internal;
   // The witness, unless a corner is as deep: for polytopes one usually is.
   const S as_deep = result.separation + settings.equal_depth;

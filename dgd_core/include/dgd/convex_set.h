@@ -12,6 +12,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "dgd/inlining.h"
 #include "dgd/types.h"
 
 namespace dgd {
@@ -253,7 +254,7 @@ class CoreReference {
 
 /// The message of a refused length, out of the way of the check.
 template <class Scalar>
-[[noreturn, gnu::cold, gnu::noinline]] void RefuseLength(Scalar value, bool may_be_zero, const char* what) {
+[[noreturn]] DGD_COLD void RefuseLength(Scalar value, bool may_be_zero, const char* what) {
   throw std::invalid_argument(std::string(what) +
                               (may_be_zero ? " must be finite and >= 0" : " must be finite and > 0") +
                               ", in metres; got " + std::to_string(value));

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "dgd/assert.h"
+#include "dgd/inlining.h"
 #include "dgd/query_types.h"
 #include "dgd/ray/minkowski_difference.h"
 #include "dgd/supporting_face.h"
@@ -53,10 +54,10 @@ void MoveFace(const Set& set, const Pose<typename Set::Scalar>& pose, const Vect
 /// Not inlined: it is the same for all that a set may meet.
 /// @param face  Out; empty before.
 template <class Set>
-[[gnu::flatten, gnu::noinline]] void FindFace(const Set& set, const Pose<typename Set::Scalar>& pose,
-                                              const Vector3<typename Set::Scalar>& direction,
-                                              const PatchFrame<typename Set::Scalar>& frame,
-                                              SupportingFace<typename Set::Scalar>& face) {
+DGD_FLATTEN DGD_NOINLINE void FindFace(const Set& set, const Pose<typename Set::Scalar>& pose,
+                                       const Vector3<typename Set::Scalar>& direction,
+                                       const PatchFrame<typename Set::Scalar>& frame,
+                                       SupportingFace<typename Set::Scalar>& face) {
   set.core.SupportFace(pose.rotation.transpose() * direction, face);
   MoveFace(set, pose, direction, frame, face);
 }
@@ -122,8 +123,9 @@ class ProjectedFace {
   }
 
  private:
-  /// Faces are found to be level by normals that come from points: a small face's are so many last digits off.
-  static constexpr S kLevel = S(1e6);
+  /// Faces are found to be level by normals that come from points: a small face's are so many last digits off. Float
+  /// has fewer to lose.
+  static constexpr S kLevel = sizeof(S) == 8 ? S(1e6) : S(64);
 
   const SupportingFace<S>& face_;
   Vector3<S> area_;
@@ -259,7 +261,7 @@ struct FacingFaces {
   /// Finds the overlap of the two faces, once both are there. Not inlined: it is long, and the same for all sets.
   /// @param angular_tolerance  Faces turned away from the normal by more than this count as edges, radians, in
   ///                           (0, pi / 2): seen from aside, their heights lose their digits.
-  [[gnu::flatten, gnu::noinline]] void FindOverlap(S angular_tolerance) {
+  DGD_FLATTEN DGD_NOINLINE void FindOverlap(S angular_tolerance) {
     using namespace facing_faces_internal;
     const S min_cosine = std::cos(angular_tolerance);
     const ProjectedFace<S> projected_1(face_1, min_cosine), projected_2(face_2, min_cosine);

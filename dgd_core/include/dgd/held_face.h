@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "dgd/facing_faces.h"
+#include "dgd/inlining.h"
 #include "dgd/query_types.h"
 #include "dgd/signed_distance.h"
 #include "dgd/types.h"
@@ -55,12 +56,12 @@ Vector3<S> TurnedArea(const Matrix3<S>& rotation, const SupportingFace<S>& face)
 ///         tell, and no other field is usable.
 /// Allocates nothing and does not throw.
 template <class Set1, class Set2>
-[[gnu::flatten]] SignedDistanceResult<typename Set1::Scalar> FollowFace(const Set1& set_1, const PoseOf<Set1>& pose_1,
-                                                                        const Set2& set_2, const PoseOf<Set1>& pose_2,
-                                                                        const Settings<typename Set1::Scalar>& settings,
-                                                                        typename Set1::Scalar angular_tolerance,
-                                                                        FaceHolder holder, WarmStartOf<Set1>& state,
-                                                                        FacingFaces<typename Set1::Scalar>& facing) {
+DGD_FLATTEN SignedDistanceResult<typename Set1::Scalar> FollowFace(const Set1& set_1, const PoseOf<Set1>& pose_1,
+                                                                   const Set2& set_2, const PoseOf<Set1>& pose_2,
+                                                                   const Settings<typename Set1::Scalar>& settings,
+                                                                   typename Set1::Scalar angular_tolerance,
+                                                                   FaceHolder holder, WarmStartOf<Set1>& state,
+                                                                   FacingFaces<typename Set1::Scalar>& facing) {
   using S = typename Set1::Scalar;
   using Vector = Vector3<S>;
   SignedDistanceResult<S> result;
@@ -120,7 +121,7 @@ template <class Set1, class Set2>
   result.normal = normal;
   result.separation = separation;
   state.normal_1 = normal_1.normalized();
-  if (is_separated) state.size = state.known_size = 0;
+  if (is_separated) state.size = 0;
   return result;
 }
 

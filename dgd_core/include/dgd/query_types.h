@@ -38,14 +38,6 @@ struct Settings {
   /// Stop with kSeparated once the sets are certain to be farther apart than this; metres, >= 0, infinite for never.
   /// With a warm start the last normal is tried before anything else: a pair that stays apart costs one evaluation.
   S separation_limit = std::numeric_limits<S>::infinity();
-
-  /// For comparison only; there is no other reason to turn these off.
-  bool second_order = true;   ///< Second-order steps on curved cores (ray/second_order_walk.h).
-  bool rounding = true;       ///< Radii kept apart from the cores (ray/inner_approximation.h).
-  bool facet_walk = true;     ///< Polytopes' shorter way (ray/facet_walk.h).
-  bool known_points = true;   ///< Support points of the two sets combined anew (ray/known_points.h).
-  bool likely_start = true;   ///< First directions by the sets' spread (SpreadCore in convex_set.h).
-  bool half_way_cuts = true;  ///< On curved cores, between two normals (NormalBetween() in ray/ray_intersection.h).
 };
 
 /// What an observer of a query is told after each iteration: the bounds of Result so far, which only approach each
@@ -102,14 +94,10 @@ bool IsFinite(const Result<S, L>& result) {
 /// exist, which are ignored.
 template <class S, int L = 3>
 struct WarmStart {
-  static constexpr int kCapacity = L + 4;  ///< Four more than a basis has save one of six directions on moving meshes.
-
   Vector<S, L> normal_1 = Vector<S, L>::Zero();  ///< Last normal, in set 1's frame, unit length; zero for none.
-  /// Points of the Minkowski difference by the features of the two cores: the last basis of the inner approximation,
-  /// then what else was met.
-  std::array<FeatureId, kCapacity> features_1{}, features_2{};
-  std::int32_t size = 0;        ///< Points in the basis; 0 if the sets were apart by more than asked for.
-  std::int32_t known_size = 0;  ///< Points after these.
+  /// Points of the Minkowski difference by the features of the two cores: the last basis of the inner approximation.
+  std::array<FeatureId, L> features_1{}, features_2{};
+  std::int32_t size = 0;  ///< Points in the basis; 0 if the sets were apart by more than asked for.
 };
 static_assert(sizeof(WarmStart<double>) <= 128, "must fit into a Bullet algorithm object beside the rest");
 

@@ -11,6 +11,7 @@
 #include "dgd/assert.h"
 #include "dgd/distance/apart_search.h"
 #include "dgd/distance/signed_distance_search.h"
+#include "dgd/inlining.h"
 #include "dgd/query_types.h"
 
 namespace dgd {
@@ -96,9 +97,10 @@ SignedDistanceResult<typename Set1::Scalar> SignedDistance(const Set1& set_1, co
 /// @return kOptimal, certain as SignedDistance()'s; kSeparated, with the normal and the separation along it. All other
 ///         statuses mean failure, and no other field is usable: the cores may overlap, ask for the growth distance.
 template <class Set1, class Set2>
-[[gnu::flatten]] SignedDistanceResult<typename Set1::Scalar> FollowDistance(
-    const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2, const PoseOf<Set1>& pose_2,
-    const Settings<typename Set1::Scalar>& settings, WarmStartOf<Set1>& state) {
+DGD_FLATTEN SignedDistanceResult<typename Set1::Scalar> FollowDistance(const Set1& set_1, const PoseOf<Set1>& pose_1,
+                                                                       const Set2& set_2, const PoseOf<Set1>& pose_2,
+                                                                       const Settings<typename Set1::Scalar>& settings,
+                                                                       WarmStartOf<Set1>& state) {
   signed_distance_internal::FollowSearch<Set1, Set2> search(set_1, pose_1, set_2, pose_2, settings);
   SignedDistanceResult<typename Set1::Scalar> result;
   result.status = search.SolveApart(state);

@@ -65,14 +65,15 @@ Shares CheckWalk(const Make1& make_1, const Make2& make_2) {
     EXPECT_LE(certificate.dual_infeasibility, 1e-14);
     EXPECT_LE(certificate.relative_gap, 1.0001 * dgd::kSqrtEpsilon<double>);
     EXPECT_LE(certificate.separation_error, 1e-13);
-    const auto cut = pair.GrowthDistance({.second_order = false});
-    EXPECT_LE(result.lower_bound, cut.upper_bound * (1 + 1e-12));
-    EXPECT_LE(cut.lower_bound, result.upper_bound * (1 + 1e-12));
 
     const dgd::Settings<double> settings;
     const dgd::MinkowskiDifference<Set1, Set2> difference(set_1, pose_1, set_2, pose_2);
-    dgd::SecondOrderWalk<Set1, Set2> walk(difference, settings);
     const dgd::NoObserver observer;
+    dgd::RayIntersection<Set1, Set2> cuts(difference, settings);
+    (void)cuts.Solve(dgd::Question::kDistance, nullptr, observer);
+    EXPECT_LE(result.lower_bound, cuts.UpperBound() * (1 + 1e-12));
+    EXPECT_LE(cuts.LowerBound(), result.upper_bound * (1 + 1e-12));
+    dgd::SecondOrderWalk<Set1, Set2> walk(difference, settings);
     if (!walk.Solve(dgd::Question::kDistance, difference.LikelyNormal(), nullptr, observer)) continue;
     EXPECT_EQ(walk.UpperBound(), result.upper_bound);
     shares.answered += 1.0 / pairs;

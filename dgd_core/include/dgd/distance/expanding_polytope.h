@@ -75,6 +75,9 @@ class ExpandingPolytope {
 
   bool IsFull() const { return size_ == kMaxPoints; }
 
+  /// Whether roundoff has torn the surface, which then has more faces than there is room for: it bounds nothing.
+  bool IsTorn() const { return is_torn_; }
+
   /// The point of the surface that is nearest to a point on or outside of it.
   Feature NearestTo(const Vector3<S>& target) const {
     Feature nearest = points_[0];
@@ -98,7 +101,7 @@ class ExpandingPolytope {
   /// @return false, and nothing changes, if the point is not in front of any face by more than rounding, or there is no
   ///         room for it.
   bool Add(const Feature& added) {
-    if (size_ == kMaxPoints) return false;
+    if (size_ == kMaxPoints || is_torn_) return false;
     const auto height = [&](const Face& face) { return face.normal.dot(added.point) - face.distance; };
     const auto seed =
         std::max_element(faces_.begin(), End(), [&](const Face& a, const Face& b) { return height(a) < height(b); });
@@ -153,8 +156,10 @@ class ExpandingPolytope {
   static std::uint64_t Bit(std::uint8_t point) { return std::uint64_t(1) << point; }
 
   void AddFace(std::uint8_t a, std::uint8_t b, std::uint8_t c) {
-    // Rounding may tear the surface all the same, which then has more faces than a closed one.
-    if (face_count_ == kMaxFaces) return;
+    if (face_count_ == kMaxFaces) {
+      is_torn_ = true;
+      return;
+    }
     Face& face = faces_[face_count_++];
     face.corners = {a, b, c};
     const Vector3<S>& origin = points_[a].point;
@@ -179,6 +184,7 @@ class ExpandingPolytope {
   S rounding_, reach_;
   S widest_sliver_ = 0;  // That there ever was.
   std::size_t size_, face_count_ = 0;
+  bool is_torn_ = false;
   std::array<Feature, kMaxPoints> points_;
   std::array<Face, kMaxFaces> faces_;
 };

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "dgd/assert.h"
+#include "dgd/inlining.h"
 #include "dgd/query_types.h"
 #include "dgd/ray/minkowski_difference.h"
 #include "dgd/ray/tolerances.h"
@@ -26,8 +27,8 @@ S WeightOfSecond(const Vector3<S>& a, const Vector3<S>& b) {
 /// the inside's weights have lost their digits, and a side may be nearer: there all are tried. Not inlined: it is long,
 /// and the same for all sets.
 template <class S>
-[[gnu::flatten, gnu::noinline]] std::array<S, 3> WeightsOfNearest(const Vector3<S>& a, const Vector3<S>& b,
-                                                                  const Vector3<S>& c) {
+DGD_FLATTEN DGD_NOINLINE std::array<S, 3> WeightsOfNearest(const Vector3<S>& a, const Vector3<S>& b,
+                                                           const Vector3<S>& c) {
   const std::array<const Vector3<S>*, 3> corners{&a, &b, &c};
   std::array<S, 3> nearest{};
   S least = std::numeric_limits<S>::infinity();
@@ -153,7 +154,6 @@ class NearestSimplex {
   /// Leaves the features of the points for another query.
   void Leave(WarmStart<S>& state) const {
     state.size = static_cast<std::int32_t>(size_);
-    state.known_size = 0;
     for (std::size_t i = 0; i < size_; ++i) {
       state.features_1[i] = points_[i].feature_1;
       state.features_2[i] = points_[i].feature_2;

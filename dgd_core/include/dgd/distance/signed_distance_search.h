@@ -31,6 +31,7 @@
 #include "dgd/distance/kink_step.h"
 #include "dgd/distance/nearest_simplex.h"
 #include "dgd/distance/normal_step.h"
+#include "dgd/inlining.h"
 #include "dgd/query_types.h"
 #include "dgd/ray/minkowski_difference.h"
 #include "dgd/ray/tolerances.h"
@@ -141,7 +142,7 @@ class SignedDistanceSearch {
   bool IsExhausted() const { return iterations_ >= settings_.max_iterations; }
 
   /// Not inlined: it is called from many places.
-  [[gnu::noinline]] Feature Cut(const Point& normal) {
+  DGD_NOINLINE Feature Cut(const Point& normal) {
     ++iterations_;
     const Feature support =
         Shifted(difference_.Support(normal, normal, best_.support.feature_1, best_.support.feature_2));
@@ -262,7 +263,7 @@ class SignedDistanceSearch {
   }
 
   /// The origin is on a feature of K, within rounding: on its border, where the signed distance is 0, or inside.
-  [[gnu::noinline]] Status Touch() {
+  DGD_NOINLINE Status Touch() {
     std::array<Feature, 4> corners;
     std::size_t size = simplex_.Size();
     for (std::size_t i = 0; i < size; ++i) corners[i] = simplex_[i];
@@ -303,12 +304,13 @@ class SignedDistanceSearch {
   }
 
   /// With the origin inside K.
-  [[gnu::noinline]] Status Expand(const std::array<Feature, 4>& corners) {
+  DGD_NOINLINE Status Expand(const std::array<Feature, 4>& corners) {
     nearest_ = std::numeric_limits<S>::infinity();
     ExpandingPolytope<S> polytope(corners, Noise(), size_);
     const auto finish = [&](Status status) { return Finish(status, polytope.NearestTo(best_.height * best_.normal)); };
     for (;;) {
       const auto& face = polytope.Nearest();
+      if (polytope.IsTorn()) return finish(Status::kStalled);
       nearest_ = std::min(nearest_, -polytope.Inradius());
       if (IsOptimal()) return finish(Status::kOptimal);
       if (is_stationary_ && IsBestElsewhere()) return finish(Status::kOptimal);
@@ -327,7 +329,7 @@ class SignedDistanceSearch {
   /// The expanding polytope has no room for as many points as a curved set may ask for. Others take its place, of the
   /// best plane's surroundings alone, which are narrowed down from one to the next.
   /// @param of_inner  The foot so far.
-  [[gnu::noinline]] Status Refine(Feature of_inner) {
+  DGD_NOINLINE Status Refine(Feature of_inner) {
     constexpr int kMaxRounds = 8;
     constexpr S kNarrower = 4;
     // By which a border that curves as a ball of K's size recedes by the gap, and some more.
@@ -357,7 +359,7 @@ class SignedDistanceSearch {
 
   /// An expanding polytope about the best plane: a triangle of K there, whose normals are `tilt` radians aside, and the
   /// point of K that is farthest behind it. Faces that look elsewhere are none of K's, and of no account.
-  [[gnu::noinline]] Nearby ExpandNearby(S tilt, Feature& of_inner) {
+  DGD_NOINLINE Nearby ExpandNearby(S tilt, Feature& of_inner) {
     // Cosine to the best plane's normal: the triangle's faces look at most kWidest aside, those to the point behind it
     // about at right angles.
     constexpr S kAside = S(0.7);

@@ -25,6 +25,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "dgd/inlining.h"
 #include "dgd/query_types.h"
 #include "dgd/ray/ball_hull.h"
 #include "dgd/ray/feature_exit.h"
@@ -225,7 +226,7 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
     }
   }
   /// Not inlined: with its registers, a walk among placed vertices takes 1.07 times as long.
-  [[gnu::noinline, gnu::flatten]] Corner CornerOfSupportsOutOfLine(const Point& direction) const {
+  DGD_FLATTEN DGD_NOINLINE Corner CornerOfSupportsOutOfLine(const Point& direction) const {
     return CornerOfSupports(direction);
   }
   Corner CornerOfSupports(const Point& direction) const {
@@ -281,7 +282,7 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
   /// queries take 0.6 of the time that they take with support points from the first direction on.
   /// @tparam kIsCheck  Whether a triangle beyond the ray's end is enough.
   template <bool kIsCheck>
-  [[gnu::noinline, gnu::flatten]] bool StartByGuesses(const Point& axis, const Corner& first) {
+  DGD_FLATTEN DGD_NOINLINE bool StartByGuesses(const Point& axis, const Corner& first) {
     // Guesses that raise the triangle by less are left to the support functions. By measurement, without a limit
     // queries take as long, and with 1e-2 those of 2000 vertices a sixth longer.
     constexpr S kWorthwhile = S(1e-3);
@@ -360,7 +361,7 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
 
   /// Not inlined: with its registers, a walk without a radius takes a tenth longer.
   template <Early kEarly>
-  [[gnu::noinline, gnu::flatten]] End WalkRounded(const Settings<S>& settings, int most_iterations) {
+  DGD_FLATTEN DGD_NOINLINE End WalkRounded(const Settings<S>& settings, int most_iterations) {
     return Walk<kEarly, true>(settings, most_iterations);
   }
 
@@ -449,7 +450,7 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
   /// After LeavesByFacet(), with a radius: by the cylinder about the edge that the ray passes beyond. Rarer, and long.
   /// @return nothing if there is a corner beyond the edge, which takes part now.
   template <Early kEarly>
-  [[gnu::noinline, gnu::flatten]] std::optional<End> LeaveByEdge(const Settings<S>& settings) {
+  DGD_FLATTEN DGD_NOINLINE std::optional<End> LeaveByEdge(const Settings<S>& settings) {
     if (!HasVertices() || !IsSound()) return End::kNone;
     const auto beyond = static_cast<std::size_t>(std::ranges::min_element(weights_) - weights_.begin());
     const std::size_t a = (beyond + 1) % 3, b = (beyond + 2) % 3;
@@ -510,7 +511,7 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
 
   /// Not inlined: with its registers, a walk takes a tenth longer.
   /// @param state  Out, if there is one.
-  [[gnu::noinline]] bool Report(End end, const Settings<S>& settings, WarmStart<S>* state, Result<S>& result) {
+  DGD_NOINLINE bool Report(End end, const Settings<S>& settings, WarmStart<S>* state, Result<S>& result) {
     result.iterations = iterations_;
     if (end == End::kApart) {
       const S along = normal_.dot(ray_);
@@ -539,7 +540,7 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
     if (state != nullptr) Remember(result.status, result.normal, *state);
     return true;
   }
-  [[gnu::noinline]] bool Report(End end, const Settings<S>&, WarmStart<S>* state, CollisionResult<S>& result) {
+  DGD_NOINLINE bool Report(End end, const Settings<S>&, WarmStart<S>* state, CollisionResult<S>& result) {
     result.iterations = iterations_;
     if (end == End::kApart) {
       result.status = Status::kSeparated;
@@ -568,7 +569,6 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
     RememberCorners(state);
     state.normal_1 = (pose_1_.rotation.transpose() * normal).normalized();
     state.size = status == Status::kSeparated ? 0 : 3;
-    state.known_size = 0;
   }
 
   void RememberCorners(WarmStart<S>& state) const {

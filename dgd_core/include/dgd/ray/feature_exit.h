@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "dgd/inlining.h"
 #include "dgd/ray/tolerances.h"
 #include "dgd/ray/triangle_crossing.h"
 #include "dgd/types.h"
@@ -46,8 +47,8 @@ void SetTriangleHeight(S a, S b, S c, FeatureExit<S, 3>& exit) {
 /// @param corner_error  How far the corners may be off across the ray, metres: where that is not 0, several triangles
 ///                      may claim the ray.
 template <class S>
-[[gnu::cold, gnu::noinline]] bool SliverExit(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, S rounding,
-                                             S corner_error, FeatureExit<S, 3>& exit) {
+DGD_COLD bool SliverExit(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, S rounding, S corner_error,
+                         FeatureExit<S, 3>& exit) {
   const SliverNormal<S> normal(a, b, c);
   if (!PointUpwards<S, 3>(normal.cross, exit)) return false;
   const Vector3<S> shift = rounding * exit.normal;

@@ -11,7 +11,7 @@ namespace dgd {
 /// @param warm_start  Or null.
 /// @return unit length, ray frame, not downwards.
 template <class Difference>
-typename Difference::Point FirstNormal(const Difference& difference, const Settings<typename Difference::S>& settings,
+typename Difference::Point FirstNormal(const Difference& difference,
                                        const WarmStart<typename Difference::S, Difference::L>* warm_start) {
   using Point = typename Difference::Point;
   constexpr int L = Difference::L;
@@ -21,7 +21,7 @@ typename Difference::Point FirstNormal(const Difference& difference, const Setti
     if (normal[L - 1] > 0) return normal;
   }
   if constexpr (Difference::kIsSmooth && L == 3) {
-    if (settings.likely_start) return difference.LikelyNormal();
+    return difference.LikelyNormal();
   }
   return Point::Unit(L - 1);
 }

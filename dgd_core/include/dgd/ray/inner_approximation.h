@@ -33,6 +33,7 @@
 #include <limits>
 #include <utility>
 
+#include "dgd/inlining.h"
 #include "dgd/ray/feature_exit.h"
 #include "dgd/ray/minkowski_difference.h"
 #include "dgd/ray/simplex_step.h"
@@ -98,18 +99,8 @@ class InnerApproximation {
     return rounding_ > 0 ? InsertRounded(added) : InsertSharp(added);
   }
 
-  /// Whether a point is farther out than the feature by enough to raise the height by `rise` metres at least, if the
-  /// feature were all there is.
-  bool IsAbove(const Point& point, S rise) const {
-    return direction_.dot(point - PointOf(0)) > rise * direction_[L - 1];
-  }
-
-  /// Whether a point adds enough of what is left up to `ceiling` to be worth the insertion; of those met before, most
-  /// often it is in the basis already. With a tenth, moving meshes take a tenth more directions.
-  bool IsWorthwhile(const Point& point, S ceiling) const {
-    constexpr S kLeast = S(0.01);
-    return IsAbove(point, kLeast * (ceiling - height_));
-  }
+  /// Whether a point is farther out than the feature.
+  bool IsAbove(const Point& point) const { return direction_.dot(point - PointOf(0)) > 0; }
 
   /// Takes over a whole basis, one to L points of the cores' difference that were the feature of an earlier query,
   /// if the ray leaves through the same feature, not lower than so far.
@@ -194,7 +185,7 @@ class InnerApproximation {
     return sum;
   }
 
-  [[gnu::cold, gnu::noinline]] void MoveRoughToExit() {
+  DGD_COLD void MoveRoughToExit() {
     std::array<S, L> weights = weights_;
     if (size_ == 2) {
       ray_internal::MoveAlongSide<S, L>(PointOf(1) - PointOf(0), OffExit(weights), weights[0], weights[1]);
@@ -218,7 +209,7 @@ class InnerApproximation {
 
   /// Of needles the flattest feature there is may be so steep that no height is nearer to the ceiling: then its plane
   /// must pass the ceiling's point on the ray within the last digit of its points.
-  [[gnu::cold, gnu::noinline]] bool IsBelowCeilingButForSlope(const Candidate& candidate, const Point& added) const {
+  DGD_COLD bool IsBelowCeilingButForSlope(const Candidate& candidate, const Point& added) const {
     return (candidate.height - ceiling_) * candidate.normal[L - 1] <= kEpsilon<S> * Reach(added);
   }
 
@@ -268,7 +259,7 @@ class InnerApproximation {
   }
 
   /// Of all features that have the added point, the highest. Not inlined: the rarer way, and long.
-  [[gnu::noinline]] bool InsertRoundedAmongAll(const DifferencePoint<S, L>& added) {
+  DGD_NOINLINE bool InsertRoundedAmongAll(const DifferencePoint<S, L>& added) {
     const Point& w = added.point;
     Candidate best, candidate;
     const auto keep_higher = [&] {
@@ -333,7 +324,7 @@ class InnerApproximation {
   /// Where the ray meets an edge or a corner of the basis, or the added point is opposite to one, several facets carry
   /// the ray, at one height but for rounding: it is one with the dropped point below it, and of those the flattest,
   /// which magnifies the rounding least.
-  [[gnu::cold, gnu::noinline]] bool InsertSharpAmongAll(const DifferencePoint<S, L>& added) {
+  DGD_COLD bool InsertSharpAmongAll(const DifferencePoint<S, L>& added) {
     const int outgoing = OutgoingIndex(added.point, Point::Zero());
     SharpChoice choice;
     for (int turn = 0; turn < L; ++turn) {
@@ -354,7 +345,7 @@ class InnerApproximation {
   /// The facets whose border the ray misses by no more than the rounding of the points: where it meets an edge of the
   /// basis and a new point lies beyond that edge, or on the ray itself, the signs of the last digits may say that no
   /// facet holds the ray, or only one seen edge-on.
-  [[gnu::cold, gnu::noinline]] void ChooseBorderFacet(const DifferencePoint<S, L>& added, SharpChoice& choice) const {
+  DGD_COLD void ChooseBorderFacet(const DifferencePoint<S, L>& added, SharpChoice& choice) const {
     SharpChoice careful;
     const S error = kWeightSlack<S> * Reach(added.point);
     for (int dropped = 0; dropped < L; ++dropped) {

@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "dgd/convex_set.h"
+#include "dgd/inlining.h"
 #include "dgd/ray/tolerances.h"
 #include "dgd/types.h"
 
@@ -108,7 +109,7 @@ class MinkowskiDifference {
   static constexpr bool kHasFaces =
       kIsSmooth && L == 3 && (FacedCore<typename Set1::Core> || FacedCore<typename Set2::Core>);
 
-  /// @param keep_radius_apart  Else the radii go into the support points; see Settings::rounding.
+  /// @param keep_radius_apart  Else the radii go into the support points; as in the paper.
   MinkowskiDifference(const Set1& set_1, const Pose<S, L>& pose_1, const Set2& set_2, const Pose<S, L>& pose_2,
                       bool keep_radius_apart = true)
       : set_1_(set_1), set_2_(set_2), core_center_1_(set_1.core.Center()), core_center_2_(set_2.core.Center()) {
@@ -197,15 +198,15 @@ class MinkowskiDifference {
   /// The point of C, radii included, that is farthest along a direction of any length, and how it moves with that. Not
   /// inlined, as below: it is long, and there are many pairs of types.
   /// @param hint_1, hint_2  As of Support().
-  [[gnu::noinline, gnu::flatten]] CurvedDifferencePoint<S, L> CurvedSupport(const Point& direction, FeatureId hint_1,
-                                                                            FeatureId hint_2) const requires kIsSmooth {
+  DGD_FLATTEN DGD_NOINLINE CurvedDifferencePoint<S, L> CurvedSupport(const Point& direction, FeatureId hint_1,
+                                                                     FeatureId hint_2) const requires kIsSmooth {
     const Point direction_1 = to_frame_1_.transpose() * direction, direction_2 = to_frame_2_.transpose() * -direction;
     return OnFeaturesAlong(FeatureAlong(set_1_.core, direction_1, hint_1),
                            FeatureAlong(set_2_.core, direction_2, hint_2), direction, direction_1, direction_2);
   }
   /// As above, of two features.
-  [[gnu::noinline, gnu::flatten]] CurvedDifferencePoint<S, L> OnFeatures(
-      FeatureId feature_1, FeatureId feature_2, const Point& direction) const requires kIsSmooth {
+  DGD_FLATTEN DGD_NOINLINE CurvedDifferencePoint<S, L> OnFeatures(FeatureId feature_1, FeatureId feature_2,
+                                                                  const Point& direction) const requires kIsSmooth {
     return OnFeaturesAlong(feature_1, feature_2, direction, to_frame_1_.transpose() * direction,
                            to_frame_2_.transpose() * -direction);
   }
@@ -213,7 +214,7 @@ class MinkowskiDifference {
   /// The point of two features that is farthest along a unit vector, radii left out that are kept apart, and how it
   /// moves with that vector, seen across it.
   /// @param tangents  Rows: the unit vectors across `normal` that the derivative is in.
-  [[gnu::noinline, gnu::flatten]] CurvedDifferencePoint<S, L> AlongTangents(
+  DGD_FLATTEN DGD_NOINLINE CurvedDifferencePoint<S, L> AlongTangents(
       FeatureId feature_1, FeatureId feature_2, const Point& normal,
       const Eigen::Matrix<S, L - 1, L>& tangents) const requires kIsSmooth {
     const Eigen::Matrix<S, L - 1, L> across_1 = tangents * to_frame_1_, across_2 = tangents * to_frame_2_;

@@ -1,4 +1,4 @@
-// What growth_distance.h declares: by the last normal, by a walk, by RayIntersection, or by turns of these.
+// What growth_distance.h declares: by the last normal, by a walk, or by RayIntersection.
 #pragma once
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 
 #include "dgd/assert.h"
 #include "dgd/growth_distance.h"
+#include "dgd/inlining.h"
 #include "dgd/ray/ball_hull.h"
 #include "dgd/ray/facet_walk.h"
 #include "dgd/ray/first_normal.h"
@@ -40,9 +41,9 @@ struct SupportingPlanes {
 /// The planes across one direction: an evaluation of each set's support function.
 /// @param normal_1  Unit length, set 1's frame.
 template <class Set1, class Set2>
-[[gnu::flatten]] SupportingPlanes<Set1> PlanesAlong(const VectorOf<typename Set1::Core>& normal_1, const Set1& set_1,
-                                                    const PoseOf<Set1>& pose_1, const Set2& set_2,
-                                                    const PoseOf<Set1>& pose_2) {
+DGD_FLATTEN SupportingPlanes<Set1> PlanesAlong(const VectorOf<typename Set1::Core>& normal_1, const Set1& set_1,
+                                               const PoseOf<Set1>& pose_1, const Set2& set_2,
+                                               const PoseOf<Set1>& pose_2) {
   SupportingPlanes<Set1> planes;
   planes.normal = pose_1.rotation * normal_1;
   const VectorOf<typename Set1::Core> normal_2 = pose_2.rotation.transpose() * -planes.normal;
@@ -65,9 +66,9 @@ bool SeparateByMoreThan(const SupportingPlanes<Set>& planes, typename Set::Scala
 /// planes' normal.
 /// @param result  Set to say so.
 template <class Set1, class Set2>
-[[gnu::flatten]] bool OverlapAboutCenters(const SupportingPlanes<Set1>& planes, const Set1& set_1,
-                                          const PoseOf<Set1>& pose_1, const Set2& set_2, const PoseOf<Set1>& pose_2,
-                                          CollisionResultOf<Set1>& result) {
+DGD_FLATTEN bool OverlapAboutCenters(const SupportingPlanes<Set1>& planes, const Set1& set_1,
+                                     const PoseOf<Set1>& pose_1, const Set2& set_2, const PoseOf<Set1>& pose_2,
+                                     CollisionResultOf<Set1>& result) {
   using S = typename Set1::Scalar;
   using Point = VectorOf<typename Set1::Core>;
   if (!HasCertainInterior(set_1, set_2, planes.support_1.point, planes.support_2.point)) return false;
@@ -129,14 +130,13 @@ constexpr bool kHasFacetWalk = kDimension<typename Set1::Core> == 3 && Minkowski
 /// @return whether it has, which the result is then. Not inlined: with its registers, sets that stay apart take 15 ns
 /// longer.
 template <class Set1, class Set2, class AnyResult>
-[[gnu::noinline, gnu::flatten]] bool AnswerByWalk(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
-                                                  const PoseOf<Set1>& pose_2,
-                                                  const Settings<typename Set1::Scalar>& settings,
-                                                  WarmStartOf<Set1>* warm_start,
-                                                  std::type_identity_t<const SupportingPlanes<Set1>*> first,
-                                                  AnyResult& result, Settings<typename Set1::Scalar>& remaining) {
+DGD_FLATTEN DGD_NOINLINE bool AnswerByWalk(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
+                                           const PoseOf<Set1>& pose_2, const Settings<typename Set1::Scalar>& settings,
+                                           WarmStartOf<Set1>* warm_start,
+                                           std::type_identity_t<const SupportingPlanes<Set1>*> first, AnyResult& result,
+                                           Settings<typename Set1::Scalar>& remaining) {
   using Walk = FacetWalk<Set1, Set2>;
-  if (!settings.facet_walk || !settings.rounding || settings.max_iterations <= Walk::kMostAnew) return false;
+  if (settings.max_iterations <= Walk::kMostAnew) return false;
   Walk walk(set_1, pose_1, set_2, pose_2);
   if (first != nullptr) walk.StartFrom(first->support_1, first->support_2);
   // Of an edge or a corner, RayIntersection goes on; and of a thin facet, which a walk anew would end at, too.
@@ -229,77 +229,32 @@ void AnswerByRayIntersection(Question question, const MinkowskiDifference<Set1, 
   Report(difference, query, status, result);
 }
 
-/// Solves a later part of a query: its iterates are counted on from those of the earlier parts, and have the better of
-/// all their bounds.
-/// @param solve  Called with the observer to tell.
-template <class Solve, class Observer, class... Earlier>
-auto SolveAfter(Solve solve, Observer& observer, [[maybe_unused]] const Earlier&... earlier) {
-  if constexpr (std::is_same_v<Observer, const NoObserver>) {
-    return solve(observer);
-  } else {
-    const auto going_on = [&](auto iterate) {
-      iterate.iteration += (earlier.Iterations() + ...);
-      (KeepBetterBounds(earlier, iterate), ...);
-      observer(iterate);
-    };
-    return solve(going_on);
-  }
-}
-
-/// Where a walk gives up, it has met pieces too far from the answer to fit its model. RayIntersection finds the way
-/// near, and from there a second walk takes a few steps where RayIntersection would take some ten; if that one gives
-/// up, too, RayIntersection goes on. By measurement, of 1 to 6 % of pairs of curved sets that the first walk leaves,
-/// the second one leaves 0.1 %. Not inlined: rare, and long.
-/// @param settings  As the first walk's.
+/// Goes on where second-order steps give up, which has met pieces too far from the answer to fit their model: by
+/// RayIntersection, from the best normal so far. Not inlined: rare, and long.
+/// @param walk      The steps.
+/// @param settings  As theirs.
 template <class Set1, class Set2, class Observer, class AnyResult>
-[[gnu::noinline]] void AnswerInTurns(Question question, const SecondOrderWalk<Set1, Set2>& first,
-                                     const MinkowskiDifference<Set1, Set2>& difference,
-                                     Settings<typename Set1::Scalar> settings, WarmStartOf<Set1>* warm_start,
-                                     Observer& observer, AnyResult& result) {
-  using S = typename Set1::Scalar;
-  // The gap to walk again from. By measurement, from 1e-2 a second walk gets stuck three times as often, and from 1e-4
-  // pairs of cones take 1 % more iterations.
-  constexpr S kNear = S(1e-3);
-  const S tolerance = settings.relative_tolerance;
+DGD_NOINLINE void AnswerAfterWalk(Question question, const SecondOrderWalk<Set1, Set2>& walk,
+                                  const MinkowskiDifference<Set1, Set2>& difference,
+                                  Settings<typename Set1::Scalar> settings, WarmStartOf<Set1>* warm_start,
+                                  Observer& observer, AnyResult& result) {
   WarmStartOf<Set1> unheld;
   WarmStartOf<Set1>& state = warm_start != nullptr ? *warm_start : unheld;
   state = {};
-  state.normal_1 = difference.NormalOfSet1(first.NormalInFrame());
-
-  settings.max_iterations -= first.Iterations();
-  settings.relative_tolerance = std::max(tolerance, kNear);
-  RayIntersection<Set1, Set2> cuts(difference, settings);
-  Status status = SolveAfter([&](auto& told) { return cuts.Solve(question, &state, told); }, observer, first);
-  if (status == Status::kNoInterior) {
-    result = {};
-    result.status = status;
-    return;
-  }
-  settings.relative_tolerance = tolerance;
-  Settings<S> remaining = settings;
-  remaining.max_iterations -= cuts.Iterations();
-  SecondOrderWalk<Set1, Set2> second(difference, remaining);
-  std::optional<Status> verdict;
-  const bool is_near = status == Status::kOptimal || status == Status::kTouching;
-  if (is_near && cuts.UpperBound() > cuts.LowerBound() * (1 + tolerance)) {
-    const auto walk_again = [&](auto& told) { return second.Solve(question, cuts.NormalInFrame(), &state, told); };
-    const auto go_on = [&](auto& told) { return cuts.GoOn(question, state, told); };
-    status = Status::kIterationLimit;
-    if (remaining.max_iterations > 0) verdict = SolveAfter(walk_again, observer, first, cuts);
-    settings.max_iterations -= second.Iterations();
-    if (!verdict && cuts.Iterations() < settings.max_iterations) status = SolveAfter(go_on, observer, first, second);
-  }
-  result.iterations += cuts.Iterations() + second.Iterations();
-  if (verdict) {
-    second.Remember(*verdict, state);
-    Report(difference, second, *verdict, result);
+  state.normal_1 = difference.NormalOfSet1(walk.NormalInFrame());
+  settings.max_iterations -= walk.Iterations();
+  if constexpr (std::is_same_v<Observer, const NoObserver>) {
+    AnswerByRayIntersection(question, difference, settings, &state, observer, result);
   } else {
-    Report(difference, cuts, status, result);
+    // The iterates are counted on, and have the better of both bounds.
+    const auto going_on = [&](auto iterate) {
+      iterate.iteration += walk.Iterations();
+      KeepBetterBounds(walk, iterate);
+      observer(iterate);
+    };
+    AnswerByRayIntersection(question, difference, settings, &state, going_on, result);
   }
-  // A walk that has not begun knows no more than the ball inside.
-  KeepBetter(first, result);
-  KeepBetter(second, result);
-  KeepBetter(cuts, result);
+  if (result.status != Status::kNoInterior) KeepBetter(walk, result);
 }
 
 /// Asks the Minkowski difference, in the ray's frame: along second-order steps, if it is curved, and from where these
@@ -307,21 +262,21 @@ template <class Set1, class Set2, class Observer, class AnyResult>
 /// @param settings  Of what is left to do.
 /// @param result    In: the iterations done.
 template <class Set1, class Set2, class Observer, class AnyResult>
-[[gnu::flatten]] void AnswerInFrame(Question question, const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
-                                    const PoseOf<Set1>& pose_2, const Settings<typename Set1::Scalar>& settings,
-                                    WarmStartOf<Set1>* warm_start, Observer& observer, AnyResult& result) {
+DGD_FLATTEN void AnswerInFrame(Question question, const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
+                               const PoseOf<Set1>& pose_2, const Settings<typename Set1::Scalar>& settings,
+                               WarmStartOf<Set1>* warm_start, Observer& observer, AnyResult& result) {
   using Difference = MinkowskiDifference<Set1, Set2>;
-  const Difference difference(set_1, pose_1, set_2, pose_2, settings.rounding);
+  const Difference difference(set_1, pose_1, set_2, pose_2);
   if (!difference.IsValid()) {
     result = {};
     return;
   }
   if constexpr (Difference::kIsSmooth) {
-    if (settings.second_order && difference.HasRay()) {
+    if (difference.HasRay()) {
       SecondOrderWalk<Set1, Set2> walk(difference, settings);
-      const auto status = walk.Solve(question, FirstNormal(difference, settings, warm_start), warm_start, observer);
+      const auto status = walk.Solve(question, FirstNormal(difference, warm_start), warm_start, observer);
       result.iterations += walk.Iterations();
-      if (!status) return AnswerInTurns(question, walk, difference, settings, warm_start, observer, result);
+      if (!status) return AnswerAfterWalk(question, walk, difference, settings, warm_start, observer, result);
       if (warm_start != nullptr) walk.Remember(*status, *warm_start);
       return Report(difference, walk, *status, result);
     }
@@ -330,10 +285,9 @@ template <class Set1, class Set2, class Observer, class AnyResult>
 }
 
 template <class Set1, class Set2, class Observer>
-[[gnu::flatten]] ResultOf<Set1> GrowthDistance(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
-                                               const PoseOf<Set1>& pose_2,
-                                               const Settings<typename Set1::Scalar>& settings,
-                                               WarmStartOf<Set1>* warm_start, Observer&& observer) {
+DGD_FLATTEN ResultOf<Set1> GrowthDistance(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
+                                          const PoseOf<Set1>& pose_2, const Settings<typename Set1::Scalar>& settings,
+                                          WarmStartOf<Set1>* warm_start, Observer&& observer) {
   ResultOf<Set1> result;
   if (WereApart(warm_start)) {
     const auto planes = PlanesAlong(warm_start->normal_1, set_1, pose_1, set_2, pose_2);

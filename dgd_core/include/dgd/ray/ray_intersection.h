@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "dgd/inlining.h"
 #include "dgd/query_types.h"
 #include "dgd/ray/first_normal.h"
 #include "dgd/ray/inner_approximation.h"
-#include "dgd/ray/known_points.h"
 #include "dgd/ray/minkowski_difference.h"
 #include "dgd/ray/outer_approximation.h"
 #include "dgd/ray/question.h"
@@ -22,7 +22,6 @@ class RayIntersection {
   static constexpr int L = Difference::L;
   using Point = Vector<S, L>;
 
-  /// @param settings  May be changed before GoOn().
   RayIntersection(const Difference& difference, const Settings<S>& settings)
       : difference_(difference), settings_(settings), inner_(Start()) {}
 
@@ -32,20 +31,10 @@ class RayIntersection {
   Status Solve(Question question, WarmStart<S, L>* warm_start, Observer& observer) {
     if (!(difference_.Inradius() > 0)) return Status::kNoInterior;
     const bool coincident = !difference_.HasRay();
-    const Status status = coincident ? MeasureAlongAnyNormal(warm_start)
-                                     : Improve(question, FirstDirection(warm_start), warm_start, observer);
+    const Status status =
+        coincident ? MeasureAlongAnyNormal(warm_start) : Improve(question, FirstDirection(warm_start), observer);
     if (!coincident && status != Status::kSeparated) Settle();
     if (warm_start != nullptr) Remember(status, *warm_start);
-    return status;
-  }
-
-  /// From where Solve() has ended at a coarser tolerance: a query in two parts. The iterations are counted on.
-  /// @param warm_start  Out: as after Solve().
-  template <class Observer>
-  Status GoOn(Question question, WarmStart<S, L>& warm_start, Observer& observer) {
-    const Status status = Improve(question, Inner().Normal(), &warm_start, observer);
-    if (status != Status::kSeparated) Settle();
-    Remember(status, warm_start);
     return status;
   }
 
@@ -89,11 +78,9 @@ class RayIntersection {
     return Status::kCoincidentCenters;
   }
 
-  /// Not inlined: Solve() and GoOn() share it, which is long.
   /// @param normal  The first one to search.
   template <class Observer>
-  [[gnu::noinline, gnu::flatten]] Status Improve(Question question, Point normal, const WarmStart<S, L>* warm_start,
-                                                 Observer& observer) {
+  Status Improve(Question question, Point normal, Observer& observer) {
     Point direction = normal;
     for (;;) {
       if (!(normal[L - 1] > 0)) return Status::kStalled;  // Also for NaN.
@@ -105,7 +92,6 @@ class RayIntersection {
         return Status::kNoInterior;
       }
       if (verdict != kGoOn) return Report(observer, verdict);
-      if (iterations_ == 1) RememberStart(warm_start);
       RaiseInner();
       // Polytopes end with a supporting plane on the inner approximation; curved cores once a point is near enough.
       if constexpr (Difference::kIsSmooth) {
@@ -129,7 +115,7 @@ class RayIntersection {
   Point NextNormal([[maybe_unused]] S last_outer, [[maybe_unused]] S last_inner) {
     if constexpr (!Difference::kIsPolytope) {
       const bool is_slow = outer_.Height() - inner_.Height() > kSlow * (last_outer - last_inner);
-      is_between_ = settings_.half_way_cuts && iterations_ >= kPatience && is_slow && !is_between_;
+      is_between_ = iterations_ >= kPatience && is_slow && !is_between_;
       if (is_between_) return NormalBetween();
     }
     return inner_.Normal();
@@ -149,7 +135,7 @@ class RayIntersection {
   /// A basis can lose its digits: points of the same piece come close together, and steep or thin facets of polytopes
   /// magnify the rounding of their corners. Then a new basis finishes the query; the bounds keep what was reached.
   /// Once.
-  [[gnu::cold, gnu::noinline]] bool Restart() {
+  DGD_COLD bool Restart() {
     if (has_restarted_) return false;
     has_restarted_ = true;
     reached_ = inner_;
@@ -186,40 +172,19 @@ class RayIntersection {
     outer_.Cut(normal, normal.dot(support_.point) + difference_.Rounding(), support_);
   }
 
-  /// What the first direction left undecided may need: the start, and what else the last query met.
-  void RememberStart([[maybe_unused]] const WarmStart<S, L>* warm_start) {
-    for (int i = 0; i < inner_.Size(); ++i) {
-      if (inner_[i].feature_1 != kNoFeature) known_.Remember(inner_[i]);
-    }
-    if constexpr (Difference::kIsPolytope) {
-      if (warm_start == nullptr) return;
-      const auto begin = static_cast<std::size_t>(warm_start->size);
-      for (std::size_t i = begin; i < begin + static_cast<std::size_t>(warm_start->known_size); ++i) {
-        if (!difference_.HasFeatures(warm_start->features_1[i], warm_start->features_2[i])) continue;
-        known_.Remember(difference_.FromVertices(warm_start->features_1[i], warm_start->features_2[i]));
-      }
-    }
-  }
-
-  /// Alg. 2, line 3: with the support point, and then with what it makes of what is known of each set.
+  /// Alg. 2, line 3.
   void RaiseInner() {
-    known_.Remember(support_);
     // A point that is not above the feature is most often in its basis already: to insert it is long, and for nothing.
     if constexpr (Difference::kIsSmooth) {
-      if (!inner_.IsAbove(support_.point, 0)) return;
+      if (!inner_.IsAbove(support_.point)) return;
     }
-    if (!inner_.Insert(support_, outer_.Height()) || !settings_.known_points) return;
-    for (int i = 0; i < kMaxCombinations; ++i) {
-      const Feature combined = known_.Farthest(inner_.Direction());
-      if (!inner_.IsWorthwhile(combined.point, outer_.Height())) break;
-      if (!inner_.Insert(combined, outer_.Height())) break;
-    }
+    inner_.Insert(support_, outer_.Height());
   }
 
   /// @param last  Or null: no query before.
   /// @return the first direction to search.
   Point FirstDirection(const WarmStart<S, L>* last) {
-    return last != nullptr ? AdoptLastState(*last) : FirstNormal(difference_, settings_, last);
+    return last != nullptr ? AdoptLastState(*last) : FirstNormal(difference_, last);
   }
 
   /// Polytopes: primal warm start (Sec. III-D3). The last basis, moved with the sets, goes into the inner
@@ -244,11 +209,11 @@ class RayIntersection {
         return inner_.Normal();
       }
     }
-    return FirstNormal(difference_, settings_, &warm_start);
+    return FirstNormal(difference_, &warm_start);
   }
 
   /// Not inlined: the rarer of two ways, and long.
-  [[gnu::noinline]] void InsertEach(const std::array<Feature, L>& basis, int size) {
+  DGD_NOINLINE void InsertEach(const std::array<Feature, L>& basis, int size) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) inner_.Insert(basis[i]);
   }
 
@@ -274,28 +239,17 @@ class RayIntersection {
   /// A pair that is apart remembers its normal only: the next query tries that first, and needs no basis then.
   void Remember(Status status, WarmStart<S, L>& warm_start) const {
     warm_start.normal_1 = difference_.NormalOfSet1(outer_.Normal());
-    const std::int32_t last_size = warm_start.size, last_known_size = warm_start.known_size;
-    warm_start.size = warm_start.known_size = 0;
+    warm_start.size = 0;
     warm_start.features_1[0] = support_.feature_1;
     warm_start.features_2[0] = support_.feature_2;
     if (status == Status::kSeparated) return;
-    std::size_t slot = 0;
-    const auto add = [&](FeatureId feature_1, FeatureId feature_2) {
-      if (feature_1 == kNoFeature || feature_2 == kNoFeature) return;
-      warm_start.features_1[slot] = feature_1;
-      warm_start.features_2[slot++] = feature_2;
-    };
     const InnerApproximation<S, L>& inner = Inner();
-    for (int i = 0; i < inner.Size(); ++i) add(inner[i].feature_1, inner[i].feature_2);
-    warm_start.size = static_cast<std::int32_t>(slot);
-    if (known_.Size() == 0) {
-      // The first direction was the last one, and what an earlier query met is still there.
-      if (warm_start.size == last_size) warm_start.known_size = last_known_size;
-      return;
+    for (int i = 0; i < inner.Size(); ++i) {
+      if (inner[i].feature_1 == kNoFeature || inner[i].feature_2 == kNoFeature) continue;
+      const auto slot = static_cast<std::size_t>(warm_start.size++);
+      warm_start.features_1[slot] = inner[i].feature_1;
+      warm_start.features_2[slot] = inner[i].feature_2;
     }
-    const std::size_t known = std::min<std::size_t>(known_.Size(), WarmStart<S, L>::kCapacity - L);
-    for (std::size_t i = 0; i < known; ++i) add(known_.LatestFeature1(i), known_.LatestFeature2(i));
-    warm_start.known_size = static_cast<std::int32_t>(slot) - warm_start.size;
   }
 
   /// Not a status that a query ends with: the bounds have not decided yet.
@@ -307,15 +261,12 @@ class RayIntersection {
   static constexpr S kSlow = S(0.5);
   /// Slow steps are nothing unusual in so many directions; most queries end within them.
   static constexpr int kPatience = 6;
-  /// Known points after one direction: with one at most, meshes take 5 % more directions, with two 1 %.
-  static constexpr int kMaxCombinations = 4;
 
   const Difference& difference_;
   const Settings<S>& settings_;
   InnerApproximation<S, L> inner_;
   InnerApproximation<S, L> reached_;  // Before a restart.
   OuterApproximation<S, L> outer_;
-  KnownPoints<S, L> known_;
   Feature support_;                                      // Of the last direction.
   FeatureId hint_1_ = kNoFeature, hint_2_ = kNoFeature;  // For the first one, from the last query.
   int iterations_ = 0;

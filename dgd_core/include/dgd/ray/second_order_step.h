@@ -26,6 +26,7 @@
 #include <array>
 #include <cmath>
 
+#include "dgd/inlining.h"
 #include "dgd/invert.h"
 #include "dgd/ray/tolerances.h"
 #include "dgd/types.h"
@@ -104,7 +105,7 @@ class SecondOrderStep {
   ///                    active in another model, and there may be none whose minimum it is; with one for all, they are
   ///                    of one convex program, which has a minimum.
   template <bool kIsShared>
-  [[gnu::noinline]] bool FindMinimum() {
+  DGD_NOINLINE bool FindMinimum() {
     for (active_ = 1; active_ < 1U << size_; ++active_) {
       if (MayBeActive(active_) && IsMinimum<kIsShared>(active_)) return true;
     }
@@ -221,7 +222,7 @@ class SecondOrderStep {
   /// Moves the step, across the curve where the pieces are equally high, by what their second derivatives have taken it
   /// off that. Not by more than half of its length: there they tell little. Nor where a piece stands for a plane, which
   /// does not say how its feature bends. Not inlined: every pair of types would have its own.
-  [[gnu::noinline]] void Correct(const Members& members) {
+  DGD_NOINLINE void Correct(const Members& members) {
     constexpr S kMost = S(0.5);
     const auto is_plane = [](const Piece* piece) { return piece->is_plane; };
     if (std::any_of(members.pieces.begin(), members.pieces.begin() + members.size, is_plane)) return;

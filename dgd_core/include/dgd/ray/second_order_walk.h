@@ -6,7 +6,7 @@
 //  * inner: their points' convex combination z that is nearest to the ray. C holds it and the ball of radius r about
 //    the origin, so at a distance d from the ray and a height h it says that C holds the ray up to h r / (r + d).
 // The distance goes to 0 as the steps go, quadratically; so do the bounds' gap and the error of the witness points.
-// A step takes 0.3 to 0.6 of the time of one of RayIntersection; where this gives up, they take turns (query.h).
+// A step takes 0.3 to 0.6 of the time of one of RayIntersection; where this gives up, that goes on (query.h).
 //
 // A step that goes too far has shown a piece that is higher there: if it is a new one, it takes part in the next step;
 // if not, then by the plane that it has there.
@@ -20,6 +20,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "dgd/inlining.h"
 #include "dgd/query_types.h"
 #include "dgd/ray/flat_face.h"
 #include "dgd/ray/minkowski_difference.h"
@@ -47,14 +48,13 @@ class SecondOrderWalk {
         inner_(difference.Inradius()),
         inner_on_1_(difference.Inradius1() * Point::Unit(L - 1)) {}
 
-  /// Not inlined: a query may walk twice (query.h), and it is long.
   /// @param start       The first normal: ray frame, upwards.
   /// @param warm_start  Names pieces to begin with.
   /// @param observer    Called with an Iterate after each iteration.
   /// @return how the query ended; nothing if that is RayIntersection's to find out, best from Normal() on.
   template <class Observer>
-  [[gnu::noinline, gnu::flatten]] std::optional<Status> Solve(Question question, const Point& start,
-                                                              const WarmStart<S, L>* warm_start, Observer& observer) {
+  DGD_FLATTEN std::optional<Status> Solve(Question question, const Point& start, const WarmStart<S, L>* warm_start,
+                                          Observer& observer) {
     if (warm_start != nullptr) RecallPieces(*warm_start);
     // In these coordinates steeper ones are far from all others.
     Point direction = start[L - 1] > kSteep<S> ? Point(start / start[L - 1]) : Point(Point::Unit(L - 1));
@@ -97,7 +97,7 @@ class SecondOrderWalk {
   /// A pair that is apart remembers its normal only, and where to look first.
   void Remember(Status status, WarmStart<S, L>& warm_start) const {
     warm_start.normal_1 = difference_.NormalOfSet1(outer_direction_);
-    warm_start.size = warm_start.known_size = 0;
+    warm_start.size = 0;
     warm_start.features_1[0] = highest_.support.feature_1;
     warm_start.features_2[0] = highest_.support.feature_2;
     if (status == Status::kSeparated) return;
@@ -301,7 +301,7 @@ class SecondOrderWalk {
   bool HasTried(std::size_t set, FeatureId face) const { return (tried_faces_[set] & FaceBit(face)) != 0; }
 
   /// Not inlined: rare, and long.
-  [[gnu::noinline]] bool LeavesByFace(const Point& normal) {
+  DGD_NOINLINE bool LeavesByFace(const Point& normal) {
     const Point direction = normal / normal[L - 1];
     ++iterations_;
     const Curved support = SupportAlong(direction);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "dgd/convex_set.h"
+#include "dgd/inlining.h"
 #include "dgd/ray/tolerances.h"
 #include "dgd/supporting_face.h"
 
@@ -80,7 +81,7 @@ class Ellipsoid {
   }
 
   /// Scaled twice: neither the product nor its square under- or overflows. By powers of two: no digit depends on it.
-  [[gnu::cold, gnu::noinline]] BallPoint OnBallOfAnySize(const Vector<S, L>& direction) const {
+  DGD_COLD BallPoint OnBallOfAnySize(const Vector<S, L>& direction) const {
     const auto power_near = [](S size) { return std::ldexp(S(1), std::ilogb(size)); };
     const S longest = direction.cwiseAbs().maxCoeff();
     if (!(longest > 0)) return {Vector<S, L>::Zero(), 0};

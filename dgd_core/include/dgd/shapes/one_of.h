@@ -30,11 +30,6 @@ class OneOf {
   template <class Core>
   requires kHas<Core> OneOf(const Core& core) : core_(core), center_(core.Center()), inradius_(core.Inradius()) {}
 
-  /// The core, if it is of this type; else null.
-  template <class Core>
-  requires kHas<Core>
-  const Core* As() const { return std::get_if<Core>(&core_); }
-
   /// Calls visitor(core) with the core as what it is.
   template <class Visitor>
   decltype(auto) Visit(Visitor&& visitor) const {

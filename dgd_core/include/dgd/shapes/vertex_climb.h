@@ -12,6 +12,7 @@
 
 #include "dgd/assert.h"
 #include "dgd/convex_hull.h"
+#include "dgd/inlining.h"
 #include "dgd/shapes/cube_map.h"
 #include "dgd/types.h"
 
@@ -120,8 +121,7 @@ class VertexClimb {
 
   /// Goes on to a higher vertex by way of those that are as high as this one but for rounding: at short edges, the way
   /// up may lead over their other ends.
-  [[gnu::cold, gnu::noinline]] bool RiseFromPlateau(const Vector3<S>& direction, S size, VertexId& vertex,
-                                                    S& height) const {
+  DGD_COLD bool RiseFromPlateau(const Vector3<S>& direction, S size, VertexId& vertex, S& height) const {
     std::array<VertexId, kMaxPlateau> plateau;
     plateau[0] = vertex;
     int count = 1;
