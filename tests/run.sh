@@ -7,6 +7,6 @@ root=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
 
 # shellcheck disable=SC2086 # lists of words
 install_packages $build_packages $test_packages
-configure -DDGD_BUILD_TESTS=ON ${CI:+-DDGD_WERROR=ON -DDGD_QUICK_BUILD=ON}
+configure -DDGD_BUILD_TESTS=ON ${CI:+-DDGD_WERROR=ON}
 build
 exec ctest --test-dir "$build_dir" --output-on-failure --no-tests=error --parallel "$(nproc)" "$@"

@@ -52,7 +52,7 @@ if [ ! -e "$build_dir/CMakeCache.txt" ]; then
   ! command -v ninja >/dev/null || export CMAKE_GENERATOR="${CMAKE_GENERATOR:-Ninja}"
 fi
 # shellcheck disable=SC2086 # lists of words
-cmake -S "$root" --preset "$preset" -DDGD_BUILD_TESTS=ON $options ${CI:+-DDGD_WERROR=ON -DDGD_QUICK_BUILD=ON} >/dev/null
+cmake -S "$root" --preset "$preset" -DDGD_BUILD_TESTS=ON $options ${CI:+-DDGD_WERROR=ON} >/dev/null
 # shellcheck disable=SC2086 # a list of words
 build $targets
 exec ctest --test-dir "$build_dir" --output-on-failure --no-tests=error --parallel "$(nproc)" --tests-regex "$tests" "$@"
