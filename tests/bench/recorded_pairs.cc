@@ -1,4 +1,4 @@
-#include "bench/replay/recorded_pairs.h"
+#include "bench/recorded_pairs.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

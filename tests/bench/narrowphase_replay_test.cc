@@ -74,12 +74,4 @@ TEST_P(NarrowphaseReplayTest, DamagedRecord_IsReplayedUpToTheDamage) {
   EXPECT_EQ(Count(outcome.output, "\n10 pairs, Bullet linked in "), 1) << outcome.output;
 }
 
-TEST_P(NarrowphaseReplayTest, WrongArguments_EndWithStatusTwo) {
-  for (const std::string& arguments : {std::string(), std::string("/no/such.rec"), Path("builtin.csv"),
-                                       Path("builtin.rec") + " --methods none", Path("builtin.rec") + " --pairs 0"}) {
-    EXPECT_EQ(RunProgram(GetParam(), arguments).status, 2) << arguments;
-  }
-  EXPECT_EQ(RunProgram(GetParam(), "--help").status, 0);
-}
-
 }  // namespace
