@@ -48,7 +48,7 @@ class GrowthPair {
   virtual bool Takes(const GrowthQuery& query) const = 0;
   virtual double Time(const GrowthQuery& query, int repeats) const = 0;  ///< Mean of so many in a row, us.
   virtual GrowthAnswer Solve(const GrowthQuery& query) const = 0;
-  /// By other means than the solver's (exact_growth_distance.h), where there are such.
+  /// By a linear program in extended precision or a closed form, where there is such.
   virtual std::optional<double> ExactGrowthDistance() const = 0;
 };
 

@@ -1,4 +1,5 @@
 // narrowphase_replay: every method on the pairs that a narrowphase was asked about, time beside error. See --help.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -13,7 +14,6 @@
 
 #include "bench/contest.h"
 #include "bench/peers/bullet_peers.h"
-#include "bench/recorded_pairs.h"
 #include "command_line.h"
 #include "dgd_bullet/record_file.h"
 #include "program_main.h"
@@ -67,6 +67,51 @@ std::variant<Options, ReplayStatus> ParseCommandLine(int argc, const char* const
   line.AddIndex("--pair", options.pair, "Only the pair of this index");
   if (const std::optional<int> end = line.Parse(argc, argv)) return ReplayStatus(*end);
   return options;
+}
+
+dgd_test::SetType TypeOf(dgd_bullet::RecordedShape::Core core) {
+  using dgd_test::SetType;
+  using Core = dgd_bullet::RecordedShape::Core;
+  switch (core) {
+    case Core::kPoint:
+      return SetType::kPoint;
+    case Core::kSegment:
+      return SetType::kSegment;
+    case Core::kTriangle:
+      return SetType::kTriangle;
+    case Core::kBox:
+      return SetType::kBox;
+    case Core::kCylinder:
+      return SetType::kCylinder;
+    case Core::kCone:
+      return SetType::kCone;
+    case Core::kHull:
+      break;
+  }
+  return SetType::kPolytope;
+}
+
+dgd_test::SetNumbers SetFrom(const dgd_bullet::RecordedShape& shape) {
+  using Core = dgd_bullet::RecordedShape::Core;
+  dgd_test::SetNumbers set{.type = TypeOf(shape.core), .radius = shape.radius};
+  if (shape.core == Core::kTriangle || shape.core == Core::kHull) {
+    for (std::size_t i = 0; i < shape.numbers.size(); i += 3) {
+      set.points.emplace_back(shape.numbers[i], shape.numbers[i + 1], shape.numbers[i + 2]);
+    }
+  } else {
+    std::ranges::copy(shape.numbers, set.lengths.begin());
+  }
+  return set;
+}
+
+/// The nearest pose whose axes are orthonormal: those of float are off by 1e-7, which no solver answers for.
+dgd_test::PoseNumbers PoseFrom(const dgd_bullet::RecordedPose& pose) {
+  dgd_test::PoseNumbers numbers;
+  using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  const Eigen::Matrix3d rotation = Eigen::Map<const RowMajor>(pose.rotation.data());
+  numbers.rotation = Eigen::Quaterniond(rotation).normalized().toRotationMatrix();
+  numbers.translation = Eigen::Map<const Eigen::Vector3d>(pose.translation.data());
+  return numbers;
 }
 
 /// A pair of the record that was asked about before.

@@ -1,9 +1,13 @@
 // The benchmarks as their users run them: exit statuses, and tables with all their rows. No times are judged.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <regex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/run_program.h"
@@ -83,22 +87,95 @@ TEST_P(BulletBench, HullPairs_TablesHoldEveryRowAndOursIsRight) {
   }
 }
 
+TEST_P(BulletBench, HardCases_TableHoldsEveryMethodAndNoWrongGrowthDistance) {
+  const Outcome outcome = RunBench("hard_cases", "--cases 9 --rounds 1 --class touching-features");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  for (const char* method : {"growth distance, double", "growth distance, float", "signed distance, double",
+                             "signed distance, float", "Bullet float", "FCL (libccd), double"}) {
+    EXPECT_EQ(Count(outcome.output, std::string("\n  ") + method), 2) << method << '\n' << outcome.output;
+  }
+  EXPECT_GE(Count(RunBench("hard_cases", "--list").output, "known-failures"), 1);
+}
+
+TEST_P(BulletBench, HardCases_ReplayPrintsEachMethodsAnswer) {
+  const Outcome outcome = RunBench("hard_cases", "--class known-failures --replay 3");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_EQ(Count(outcome.output, "true distance"), 4) << outcome.output;
+}
+
+/// With a record of a simulation of many shapes.
+class NarrowphaseReplay : public BulletBench {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::filesystem::path(testing::TempDir()) / ("dgd_replay." + std::to_string(getpid()));
+    const Outcome outcome = dgd_test::RunProgram(DGD_TEST_PROGRAM_DROP,
+                                                 "--record --no-snapshots --narrowphase builtin --duration 2"
+                                                 " --oracle-every 1000 --scene " +
+                                                     std::string(DGD_TEST_SCENE) + " --out " + Path(""));
+    ASSERT_EQ(outcome.status, 0) << outcome.output;
+  }
+  static void TearDownTestSuite() { std::filesystem::remove_all(folder_); }
+
+  static std::string Path(const std::string& name) { return (folder_ / name).string(); }
+
+  inline static std::filesystem::path folder_;
+};
+INSTANTIATE_TEST_SUITE_P(Bullet, NarrowphaseReplay, testing::Values("", "_float64"),
+                         [](const auto& test) { return test.index == 0 ? "Float" : "Double"; });
+
+TEST_P(NarrowphaseReplay, RecordOfManyShapes_EachMethodHasARowAndOursIsRight) {
+  const Outcome outcome = RunBench(
+      "narrowphase_replay", Path("builtin.rec") + " --pairs 300 --rounds 1 --repeats 1 --csv " + Path("figures.csv"));
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  // The errors of the normal, 99 % and most, of rows without a gap.
+  const auto rows = MatchesOf(outcome.output,
+                              R"(\nours, signed distance(?:, warm)? +300 .* (\S+) +(\S+) +\S+ +0 +0 +0 +\d+(?=\n|$))");
+  EXPECT_EQ(rows.size(), 2u) << outcome.output;
+  for (const std::smatch& row : rows) EXPECT_LT(std::stod(row[2]), 1e-6) << outcome.output;
+  for (const char* title : {"\nBullet GJK/EPA", "\nBullet MPR", "\nFCL", "\npaper's algorithm, plain "}) {
+    EXPECT_EQ(Count(outcome.output, title), 1) << title << outcome.output;
+  }
+  std::ifstream csv(Path("figures.csv"));
+  const std::string text{std::istreambuf_iterator<char>(csv), {}};
+  EXPECT_EQ(Count(text, "\nbuiltin,signed_distance,"), 1) << text;
+}
+
+TEST_P(NarrowphaseReplay, OnePair_ItsNumbersAndEachMethodsAnswer) {
+  const Outcome outcome = RunBench("narrowphase_replay", Path("builtin.rec") + " --pair 100 --methods growth,fcl");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_EQ(Count(outcome.output, "\npair 100, step "), 1) << outcome.output;
+  EXPECT_EQ(Count(outcome.output, "\nours "), 1) << outcome.output;
+  EXPECT_EQ(RunBench("narrowphase_replay", Path("builtin.rec") + " --pair 100000000").status, 2);
+}
+
+TEST_P(NarrowphaseReplay, DamagedRecord_IsReplayedUpToTheDamage) {
+  std::filesystem::copy(Path("builtin.rec"), Path("cut.rec"), std::filesystem::copy_options::overwrite_existing);
+  std::filesystem::resize_file(Path("cut.rec"), std::filesystem::file_size(Path("cut.rec")) * 3 / 4);
+  const Outcome outcome = RunBench("narrowphase_replay", Path("cut.rec") + " --pairs 10 --rounds 1 --repeats 1");
+  EXPECT_EQ(outcome.status, 3) << outcome.output;
+  EXPECT_EQ(Count(outcome.output, "cut.rec: damaged from byte "), 1) << outcome.output;
+  EXPECT_EQ(Count(outcome.output, "\n10 pairs, Bullet linked in "), 1) << outcome.output;
+}
+
 TEST_P(BulletBench, WrongArguments_EndWithStatusTwo) {
-  for (const auto& [program, arguments] :
-       std::vector<std::pair<std::string, std::string>>{{"big_scenes", "--duration 0"},
-                                                        {"big_scenes", "--settle -1"},
-                                                        {"big_scenes", "--threads 0"},
-                                                        {"big_scenes", "--scenes none"},
-                                                        {"dispatcher_replay", "--scene /no.json"},
-                                                        {"dispatcher_replay", "--rounds 0"},
-                                                        {"first_query", "--pairs 0"},
-                                                        {"first_query", "--frames 1"},
-                                                        {"first_query", "--points 3"},
-                                                        {"hull_pairs", "--margin -0.1"},
-                                                        {"hull_pairs", "--csv /no/such/file"},
-                                                        {"narrowphase_replay", ""},
-                                                        {"narrowphase_replay", "/no/such.rec"},
-                                                        {"narrowphase_replay", "x.rec --methods none"}}) {
+  constexpr const char* kWrong[][2] = {{"big_scenes", "--duration 0"},
+                                       {"big_scenes", "--settle -1"},
+                                       {"big_scenes", "--threads 0"},
+                                       {"big_scenes", "--scenes none"},
+                                       {"dispatcher_replay", "--scene /no.json"},
+                                       {"dispatcher_replay", "--rounds 0"},
+                                       {"first_query", "--pairs 0"},
+                                       {"first_query", "--frames 1"},
+                                       {"first_query", "--points 3"},
+                                       {"hard_cases", "--class none"},
+                                       {"hard_cases", "--cases 0"},
+                                       {"hard_cases", "--tolerance 1"},
+                                       {"hull_pairs", "--margin -0.1"},
+                                       {"hull_pairs", "--csv /no/such/file"},
+                                       {"narrowphase_replay", ""},
+                                       {"narrowphase_replay", "/no/such.rec"},
+                                       {"narrowphase_replay", "x.rec --methods none"}};
+  for (const auto& [program, arguments] : kWrong) {
     EXPECT_EQ(RunBench(program, arguments).status, 2) << program << ' ' << arguments;
   }
 }

@@ -6,10 +6,12 @@
 #include <utility>
 #include <variant>
 
+#include "bench/growth_pair.h"
 #include "bench/textbook/support_function.h"
 #include "dgd/any_set.h"
 #include "dgd/shapes.h"
 #include "support/extent.h"
+#include "support/pairs/any_pair.h"
 #include "support/pairs/with_core.h"
 
 namespace dgd_bench {
@@ -54,5 +56,19 @@ dgd::Result<double, L> SolveGrowth(const SolverSet<L>& set_1, const dgd::Pose<do
 template <int L>
 dgd::Status CheckCollision(const SolverSet<L>& set_1, const dgd::Pose<double, L>& pose_1, const SolverSet<L>& set_2,
                            const dgd::Pose<double, L>& pose_2);
+
+/// What an answer of any algorithm is worth, by dgd/certificate.h.
+/// @param judge  The pair in the query's poses.
+template <int L>
+GrowthAnswer CertifiedAnswer(const dgd_test::AnyPair<double, L>& judge, const dgd::Result<double, L>& result) {
+  const dgd::Certificate certificate = judge.Certify(result);
+  return {.sample = {.iterations = double(result.iterations),
+                     .relative_gap = certificate.relative_gap,
+                     .primal_infeasibility = certificate.primal_infeasibility,
+                     .dual_infeasibility = certificate.dual_infeasibility,
+                     .is_failure = result.status != dgd::Status::kOptimal},
+          .lower_bound = result.lower_bound,
+          .upper_bound = result.upper_bound};
+}
 
 }  // namespace dgd_bench

@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "bench/certified_answer.h"
 #include "bench/solver_set.h"
 #include "bench/stopwatch.h"
 #include "bench/textbook/conic.h"
