@@ -165,9 +165,9 @@ void PrintContest(const ContestMethods& methods, const std::vector<MethodSummary
   std::printf("%-32s%8s%8s%8s%9s%8s%7s%10s%10s%10s%10s%10s%7s%8s%8s%10s\n", "", "pairs", "p50", "p99", "p99.99", "mean",
               "ratio", "gap max", "primal", "norm. p99", "norm. max", "depth max", "wrong", "missing", "failed",
               "worst");
-  double yardstick = MethodSample::kNone;
+  double bullet_p50 = MethodSample::kNone;
   for (std::size_t m = 0; m < methods.size(); ++m) {
-    if (methods[m]->key == "bullet_gjk_epa") yardstick = summaries[m].p50;
+    if (methods[m]->key == "bullet_gjk_epa") bullet_p50 = summaries[m].p50;
   }
   for (std::size_t m = 0; m < methods.size(); ++m) {
     const MethodSummary& summary = summaries[m];
@@ -177,7 +177,7 @@ void PrintContest(const ContestMethods& methods, const std::vector<MethodSummary
       continue;
     }
     std::printf("%8zu%8.3f%8.3f%9.3f%8.3f", summary.pairs, summary.p50, summary.p99, summary.p9999, summary.mean);
-    PrintNumber("%7.2f", 7, summary.p50 / yardstick);
+    PrintNumber("%7.2f", 7, summary.p50 / bullet_p50);
     const ErrorFigure &gap = summary.Of(ErrorKind::kGap), &normal = summary.Of(ErrorKind::kNormal);
     PrintNumber("%10.1e", 10, gap.most);
     PrintNumber("%10.1e", 10, summary.Of(ErrorKind::kPrimal).most);

@@ -36,7 +36,7 @@ void ForEachPose(const PairClass& each, const Meshes& meshes, const ClassOptions
 }
 
 std::vector<MethodSummary> MeasureClass(const PairClass& each, const Meshes& meshes,
-                                        std::span<const GrowthQuery> queries, const TimedClassOptions& options,
+                                        std::span<const GrowthQuery> queries, const ClassOptions& options,
                                         MakePair make, int exact_poses) {
   std::vector<MethodFigures> figures(queries.size());
   ForEachPose(each, meshes, options, make, [&](const GrowthPair& pair, std::int64_t index) {

@@ -21,7 +21,7 @@ void ForEachPose(const PairClass& each, const Meshes& meshes, const ClassOptions
 /// @param exact_poses  In how many poses, the first ones, answers are compared with the exact one, which takes longer
 ///                     to find than all that is measured.
 std::vector<MethodSummary> MeasureClass(const PairClass& each, const Meshes& meshes,
-                                        std::span<const GrowthQuery> queries, const TimedClassOptions& options,
+                                        std::span<const GrowthQuery> queries, const ClassOptions& options,
                                         MakePair make, int exact_poses = 0);
 
 }  // namespace dgd_bench

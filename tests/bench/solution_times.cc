@@ -51,7 +51,7 @@ Exit status: 0 all of our answers optimal; 1 some not; 2 wrong command line, or 
 /// Poses of each class in which answers are compared with the exact one: as many as --help says.
 constexpr int kExactPoses = 300;
 
-struct Options : TimedClassOptions {
+struct Options : ClassOptions {
   Options() { repeats = 5; }
 
   bool tolerances = false, convergence = false;
@@ -61,7 +61,7 @@ struct Options : TimedClassOptions {
 std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
   Options options;
   dgd_demos::CommandLine line("solution_times", kDescription, kExamples + ClassesInWords() + kFooter);
-  AddTimedClassOptions(line, options);
+  AddClassOptions(line, options);
   line.AddFlag("--tolerances", options.tolerances, "Ask for relative gaps of 1e-3 to 1e-12 as well, cold");
   line.AddFlag("--convergence", options.convergence,
                "Print instead, as CSV, the relative gap after each iteration of ours and of the paper's algorithm");

@@ -46,10 +46,10 @@ Columns:  times over all pairs and poses, each the least of --rounds means of --
 Exit status: 0 all of our answers optimal and right; 1 some not; 2 wrong command line, or a mesh cannot
 be read.)";
 
-std::variant<TimedClassOptions, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
-  TimedClassOptions options;
+std::variant<ClassOptions, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
+  ClassOptions options;
   dgd_demos::CommandLine line("speed", kDescription, kExamples + ClassesInWords() + kFooter);
-  AddTimedClassOptions(line, options);
+  AddClassOptions(line, options);
   if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
   return options;
 }
@@ -102,7 +102,7 @@ void PrintGrowth(const std::vector<std::pair<const PairClass*, Rows>>& measured)
   std::printf("plain %.2f, %.2f, %.2f\n", growth(kColdRow + 1), growth(kWarmRow + 1), growth(kCheckRow + 1));
 }
 
-ExitStatus Run(const TimedClassOptions& options) {
+ExitStatus Run(const ClassOptions& options) {
   dgd_test::Random random(options.seed);
   const Meshes meshes = MakeMeshes(options, random);
   std::printf("%d pairs x %d poses a class, seed %llu; times in us\n", options.pairs, options.poses,

@@ -1,5 +1,5 @@
 // Inc, the incremental algorithm for the growth distance of polytopes given by their facets (paper, Sec. I,
-// [ong2000fast]), as a yardstick. The formulation is the linear program of [ong1996growth],
+// [ong2000fast]), as the paper compares with it. The formulation is the linear program of [ong1996growth],
 //
 //   min s  subject to  <m, x - p1> <= s for the facets m of set 1, <m, x - p2> <= s for those of set 2,
 //

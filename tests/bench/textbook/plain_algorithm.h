@@ -1,5 +1,5 @@
-// The yardstick: the paper's algorithms 1 to 3 as they are printed, in two and three dimensions and in double, with
-// nothing of what dgd_core does besides. Virtual support functions with the margin inside, coordinates of the world,
+// The paper's algorithms 1 to 3 as they are printed, in two and three dimensions and in double, with nothing of what
+// dgd_core does besides. Virtual support functions with the margin inside, coordinates of the world,
 // one step of the simplex method an iteration, the basis as a matrix that Eigen inverts.
 #pragma once
 
