@@ -33,7 +33,7 @@ if [ "$must_build" = yes ]; then
   # shellcheck disable=SC2086 # lists of words
   install_packages $build_packages $test_packages python3-matplotlib
   configure -DDGD_BUILD_TESTS=ON
-  build polytope_drop polytope_drop_float64 solution_times convergence narrowphase_replay narrowphase_replay_float64
+  build polytope_drop polytope_drop_float64 solution_times narrowphase_replay narrowphase_replay_float64
 fi
 
 bench=$build_dir/tests/bench data=$out/data
@@ -43,7 +43,7 @@ vertex_counts=vertices-8,vertices-32,vertices-128,vertices-512,vertices-2048,ver
   --classes curved,meshes,rounded-hulls,sharp-hulls,dsf,2d >"$data/solution_times.txt"
 "$bench/solution_times" --pairs "$count_pairs" --poses "$poses" --csv "$data/vertex_count.csv" \
   --classes "$vertex_counts" >"$data/vertex_count.txt"
-"$bench/convergence" --pairs "$pairs" --poses "$poses" >"$data/convergence.csv"
+"$bench/solution_times" --convergence --pairs "$pairs" --poses "$poses" --classes curved,meshes >"$data/convergence.csv"
 for precision in float float64; do
   suffix=
   [ "$precision" = float ] || suffix=_float64

@@ -55,7 +55,7 @@ seeds_of() { # TARGET
 
 build_targets() {
   # shellcheck disable=SC2086 # a list of words
-  install_packages $build_packages libgtest-dev libglpk-dev libfcl-dev libbenchmark-dev doxygen clang-14 \
+  install_packages $build_packages libgtest-dev libglpk-dev libfcl-dev doxygen clang-14 \
     libclang-rt-14-dev
   [ ! -e "$build/CMakeCache.txt" ] && command -v ninja >/dev/null && export CMAKE_GENERATOR="${CMAKE_GENERATOR:-Ninja}"
   cmake --preset fuzz >/dev/null

@@ -31,8 +31,8 @@ case ${1-} in
     ;;
   tsan)
     preset=tsan
-    targets='test_plugin_float test_soak thread_scaling'
-    tests='test_plugin_float\.|test_soak|thread_scaling'
+    targets='test_plugin_float test_soak big_scenes'
+    tests='test_plugin_float\.|test_soak|big_scenes_threads'
     options=
     # Of the plugin's tests, those with threads.
     export GTEST_FILTER="${GTEST_FILTER:-Threads*:DgdSoak*}"
@@ -45,7 +45,7 @@ esac
 shift
 
 # shellcheck disable=SC2086 # a list of words
-install_packages $build_packages libgtest-dev libglpk-dev libfcl-dev libbenchmark-dev doxygen clang-14 libclang-rt-14-dev
+install_packages $build_packages libgtest-dev libglpk-dev libfcl-dev doxygen clang-14 libclang-rt-14-dev
 build_dir=$root/build/$preset
 if [ ! -e "$build_dir/CMakeCache.txt" ]; then
   export CXX="${CXX:-clang++-14}" CC="${CC:-clang-14}"

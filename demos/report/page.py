@@ -19,8 +19,6 @@ import matplotlib.pyplot as plt  # noqa: E402
 # Okabe and Ito's colours, told apart by everybody; one a method, the same in all figures.
 COLOURS = {
     "growth": "#0072B2",
-    "growth_float": "#56B4E9",
-    "growth_no_second_order": "#56B4E9",
     "signed_distance": "#0072B2",
     "plain": "#000000",
     "ie": "#E69F00",
@@ -33,9 +31,6 @@ COLOURS = {
 }
 SHORT = {
     "growth": "ours",
-    "growth_float": "ours, float",
-    "growth_no_second_order": "ours, first order",
-    "growth_no_rounding": "ours, radii in support",
     "plain": "paper, as printed",
     "ie": "IE",
     "inc": "Inc",
@@ -196,7 +191,7 @@ def plot_error(times):
     works = [work for work in WORKS if any(row["work"] == work for row in times)]
     figure, axes = plt.subplots(2, math.ceil(len(works) / 2), figsize=(13, 8), squeeze=False, layout="constrained")
     for axis, work in zip(axes.flat, works):
-        for method in ("growth", "growth_float", "plain", "ie", "inc", "dcf", "dcol"):
+        for method in ("growth", "plain", "ie", "inc", "dcf", "dcol"):
             points = sorted((row["p50_us"], max(row["relative_gap_p99"], LEAST)) for row in times
                             if row["work"] == work and row["method"] == method and row["pairs"] > 0)
             if points:
@@ -252,14 +247,13 @@ def plot_vertices(rows):
 def plot_convergence(rows):
     classes = list(dict.fromkeys(row["class"] for row in rows))
     figure, axes = plt.subplots(1, len(classes), figsize=(5.5 * len(classes), 4.5), squeeze=False, layout="constrained")
-    styles = {"ours": "#0072B2", "ours, no second-order steps": "#56B4E9", "the paper's steps alone": "#000000"}
     for axis, name in zip(axes[0], classes):
-        for variant, colour in styles.items():
-            points = [row for row in rows if row["class"] == name and row["variant"] == variant]
+        for method in ("growth", "plain"):
+            points = [row for row in rows if row["class"] == name and row["method"] == method]
             for key, line in (("gap_p50", "-"), ("gap_p99", ":")):
                 axis.plot([row["iteration"] for row in points],
-                          [row[key] if math.isfinite(row[key]) else None for row in points], line, color=colour,
-                          label=variant if key == "gap_p50" else None)
+                          [row[key] if math.isfinite(row[key]) else None for row in points], line,
+                          color=COLOURS[method], label=SHORT[method] if key == "gap_p50" else None)
         axis.set(yscale="log", ylim=(1e-17, 1e3), xlim=(1, 40), xlabel="iteration", title=WORKS.get(name, name))
         axis.grid(alpha=0.3)
         axis.legend(fontsize=8)

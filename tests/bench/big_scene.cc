@@ -268,9 +268,9 @@ void BuildRubble(BenchWorld& world) {
   ball.setLinearVelocity(Vec(0, 15, 2));
 }
 
-}  // namespace
-
-void BuildHeap(BenchWorld& world, int bodies) {
+/// Shapes of all convex kinds, which fall into a pit.
+void BuildHeap(BenchWorld& world) {
+  constexpr int kBodies = 2000;
   constexpr double kPit = 9;  // Half its width.
   world.AddGround(50);
   btBoxShape &wall_x = MakeBox(world, 1, kPit + 2, 5), &wall_y = MakeBox(world, kPit + 2, 1, 5);
@@ -284,10 +284,12 @@ void BuildHeap(BenchWorld& world, int bodies) {
                                            &world.Make<btCylinderShapeZ>(Vec(0.35, 0.35, 0.3)),
                                            &world.Make<btConeShapeZ>(btScalar(0.4), btScalar(0.8))};
   for (int i = 0; i < 10; ++i) shapes.push_back(&MakeHull(world, random));
-  for (int i = 0; i < bodies; ++i) {
+  for (int i = 0; i < kBodies; ++i) {
     world.Add(*shapes[static_cast<std::size_t>(i) % shapes.size()], 200, InTheAir(random, i));
   }
 }
+
+}  // namespace
 
 const std::vector<BigScene>& BigScenes() {
   static const std::vector<BigScene> scenes = {
@@ -296,7 +298,8 @@ const std::vector<BigScene>& BigScenes() {
       {"ragdolls", "128 ragdolls of 11 capsules fall onto each other", BuildRagdolls},
       {"hulls_on_mesh", "500 hulls of 12 to 20 points fall onto a triangle mesh", BuildHullsOnMesh},
       {"mixed_on_terrain", "500 shapes of seven types fall onto a heightfield", BuildMixedOnTerrain},
-      {"rubble", "a wall of 250 Voronoi cells, and a ball thrown at it", BuildRubble}};
+      {"rubble", "a wall of 250 Voronoi cells, and a ball thrown at it", BuildRubble},
+      {"heap", "2000 convex shapes of six types fall into a pit", BuildHeap}};
   return scenes;
 }
 

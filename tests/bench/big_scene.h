@@ -15,9 +15,6 @@ struct BigScene {
   void (*build)(BenchWorld& world);
 };
 
-/// Shapes of all kinds above a pit, for one world and for several.
-void BuildHeap(BenchWorld& world, int bodies);
-
 /// All of them. Each builds the same in every world.
 const std::vector<BigScene>& BigScenes();
 

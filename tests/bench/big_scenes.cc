@@ -1,10 +1,11 @@
-// big_scenes: scenes of thousands of bodies, stepped on Bullet's built-in narrowphase and on the plugin in turns. See
-// --help.
+// big_scenes: scenes of thousands of bodies, stepped on Bullet's built-in narrowphase and on the plugin in turns, or on
+// the plugin with one thread and with several. See --help.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <variant>
@@ -12,7 +13,6 @@
 
 #include "bench/bench_world.h"
 #include "bench/big_scene.h"
-#include "bench/duration_option.h"
 #include "bench/exit_status.h"
 #include "command_line.h"
 #include "program_main.h"
@@ -25,7 +25,8 @@ using dgd_demos::Narrowphase;
 
 constexpr const char* kDescription =
     R"(Simulates scenes of the kinds that Bullet's own benchmarks have, on Bullet's built-in narrowphase and on the
-plugin, step by step in turns.)";
+plugin, step by step in turns. With --threads on the plugin alone: with one thread, and with its pairs shared among
+several; the two worlds must stay the same to the last bit.)";
 
 constexpr const char* kFooter = R"(
 Examples:
@@ -33,38 +34,79 @@ Examples:
   big_scenes_float64 --scenes rubble ragdolls    two of them, Bullet in double
   big_scenes --scenes boxes --settle 10          both from where the built-in's bodies are after 10 s: the
                                                  same heap for both, where they would have made two
+  big_scenes --threads 2                         the heap, the plugin's pairs on two threads
   big_scenes --list                              what there is
 
-Columns:  narrowphase and whole step in ms, means over all steps; ratio of the narrowphase's to the built-in's; us
+Columns:  narrowphase and whole step in ms, means over all steps; ratio of the narrowphase's to the first row's; us
           per pair that was queried; rms speed of the moving bodies over the last second, m/s; when they came to
           rest: the last time that one in ten was faster than 5 cm/s, and the last time that their rms speed was
           (one ball that rolls on is enough for that); bodies awake at the end; bodies that fell through the floor
           or are not finite; fallbacks.
 
-Exit status: 0; 1 the plugin lost more bodies than the built-in; 2 wrong command line.)";
+Exit status: 0; 1 the plugin lost more bodies than the built-in, or the worlds of --threads differ; 2 wrong command
+line.)";
 
 struct Options {
   std::vector<std::string> scenes;
   double duration = 20;
   double settle = 0;  // s
+  int threads = 0;    // 0: the built-in narrowphase and the plugin, on one thread.
   bool list = false;
 };
 
 std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
+  constexpr double kShortest = 0.1, kLongest = 3600;
+  constexpr int kMostThreads = 256;
   Options options;
   std::vector<std::string> names;
   for (const BigScene& scene : BigScenes()) names.emplace_back(scene.name);
   dgd_demos::CommandLine line("big_scenes", kDescription, kFooter);
-  line.AddChoices("--scenes", "NAME", options.scenes, names, "Some of those that --list names; default: all");
-  AddDurationOption(line, options.duration);
+  line.AddChoices("--scenes", "NAME", options.scenes, names,
+                  "Some of those that --list names; default: all but the heap, or with --threads the heap");
+  line.AddNumber("--duration", "S", options.duration, {kShortest, kLongest}, "Simulated seconds");
   line.AddNumber("--settle", "S", options.settle, {0, 1e4}, "Seconds on the built-in narrowphase first, for both");
+  line.AddNumber("--threads", "N", options.threads, {1, kMostThreads}, "Compare one thread with so many");
   line.AddFlag("--list", options.list, "Lists the scenes");
   if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
-  if (options.scenes.empty()) options.scenes = names;
+  if (options.scenes.empty()) {
+    for (const std::string& name : names) {
+      if ((name == "heap") == (options.threads > 0)) options.scenes.push_back(name);
+    }
+  }
   return options;
 }
 
-constexpr std::array kNarrowphases = {Narrowphase::kBuiltin, Narrowphase::kDgd};
+/// One of the two worlds that are stepped in turns.
+struct Side {
+  std::string title;
+  Narrowphase narrowphase;
+  int threads = 1;
+};
+using Sides = std::array<Side, 2>;
+
+Sides SidesOf(const Options& options) {
+  if (options.threads > 0) {
+    return {Side{"1 thread", Narrowphase::kDgd},
+            {std::to_string(options.threads) + " threads", Narrowphase::kDgd, options.threads}};
+  }
+  const auto side = [](Narrowphase narrowphase) { return Side{std::string(NameOf(narrowphase)), narrowphase}; };
+  return {side(Narrowphase::kBuiltin), side(Narrowphase::kDgd)};
+}
+
+/// Whether two vectors have the same bits, apart from the fourth number, which is of no account.
+bool IsSame(const btVector3& a, const btVector3& b) { return std::memcmp(&a, &b, 3 * sizeof(btScalar)) == 0; }
+
+bool HaveSamePoses(BenchWorld& a, BenchWorld& b) {
+  const btCollisionObjectArray &of_a = a.world().getCollisionObjectArray(), &of_b = b.world().getCollisionObjectArray();
+  for (int i = 0; i < of_a.size(); ++i) {
+    const btTransform &pose_a = of_a[i]->getWorldTransform(), &pose_b = of_b[i]->getWorldTransform();
+    if (!IsSame(pose_a.getOrigin(), pose_b.getOrigin())) return false;
+    for (int row = 0; row < 3; ++row) {
+      if (!IsSame(pose_a.getBasis()[row], pose_b.getBasis()[row])) return false;
+    }
+  }
+  return true;
+}
 
 /// One narrowphase's run.
 struct Tally {
@@ -75,15 +117,14 @@ struct Tally {
   WorldState end;
 };
 
-void Print(const BigScene& scene, int steps, int bodies, const std::array<Tally, kNarrowphases.size()>& runs,
-           const std::array<std::uint64_t, kNarrowphases.size()>& fallbacks) {
+void Print(const BigScene& scene, int steps, int bodies, const Sides& sides, const std::array<Tally, 2>& runs,
+           const std::array<std::uint64_t, 2>& fallbacks) {
   std::printf("%s: %s; %d moving bodies\n", std::string(scene.name).c_str(), std::string(scene.summary).c_str(),
               bodies);
   for (std::size_t n = 0; n < runs.size(); ++n) {
     const Tally& run = runs[n];
-    std::printf("  %-12s%12.3f%9.2f%12.3f%9.3f%12.4f%9.2f%9.2f%8d%8d%11llu\n",
-                std::string(NameOf(kNarrowphases[n])).c_str(), run.narrowphase_ms / steps,
-                run.narrowphase_ms / runs[0].narrowphase_ms, run.step_ms / steps,
+    std::printf("  %-12s%12.3f%9.2f%12.3f%9.3f%12.4f%9.2f%9.2f%8d%8d%11llu\n", sides[n].title.c_str(),
+                run.narrowphase_ms / steps, run.narrowphase_ms / runs[0].narrowphase_ms, run.step_ms / steps,
                 1000 * run.narrowphase_ms / std::max(1.0, run.queries),
                 std::sqrt(run.last_second_squares * BenchWorld::kTimeStep), run.rest_time, run.rms_rest_time,
                 run.end.awake, run.end.lost, static_cast<unsigned long long>(fallbacks[n]));
@@ -91,13 +132,15 @@ void Print(const BigScene& scene, int steps, int bodies, const std::array<Tally,
   std::fflush(stdout);
 }
 
-/// @return whether the plugin lost no more bodies than the built-in.
+/// @return whether the plugin lost no more bodies than the built-in, and threads made no difference.
 bool Simulate(const BigScene& scene, const Options& options) {
   constexpr double kAtRest = 0.05;  // m/s
   const auto steps_of = [](double seconds) { return static_cast<int>(std::lround(seconds / BenchWorld::kTimeStep)); };
   const double duration = options.duration;
   const int steps = std::max(1, steps_of(duration));
-  std::array<BenchWorld, kNarrowphases.size()> worlds{BenchWorld(kNarrowphases[0]), BenchWorld(kNarrowphases[1])};
+  const Sides sides = SidesOf(options);
+  std::array<BenchWorld, 2> worlds{BenchWorld(sides[0].narrowphase, sides[0].threads),
+                                   BenchWorld(sides[1].narrowphase, sides[1].threads)};
   for (BenchWorld& world : worlds) scene.build(world);
   if (options.settle > 0) {
     BenchWorld first(Narrowphase::kBuiltin);
@@ -105,7 +148,8 @@ bool Simulate(const BigScene& scene, const Options& options) {
     for (int step = 0; step < steps_of(options.settle); ++step) first.Step();
     for (BenchWorld& world : worlds) world.TakePlacesFrom(first);
   }
-  std::array<Tally, kNarrowphases.size()> runs;
+  std::array<Tally, 2> runs;
+  bool is_same = true;
   dgd_demos::ProgressBar progress(std::string(scene.name), duration);
   for (int step = 1; step <= steps; ++step) {
     const double time = step * BenchWorld::kTimeStep;
@@ -120,11 +164,15 @@ bool Simulate(const BigScene& scene, const Options& options) {
       if (!(run.end.rms_speed <= kAtRest)) run.rms_rest_time = time;
       if (time > duration - 1) run.last_second_squares += run.end.rms_speed * run.end.rms_speed;
     }
+    if (options.threads > 0) is_same = is_same && HaveSamePoses(worlds[0], worlds[1]);
     progress.Update(time);
   }
-  Print(scene, steps, worlds[0].MovingBodies(), runs,
+  Print(scene, steps, worlds[0].MovingBodies(), sides, runs,
         {dgd_demos::Fallbacks(worlds[0].configuration()), dgd_demos::Fallbacks(worlds[1].configuration())});
-  return runs[1].end.lost <= runs[0].end.lost;
+  if (options.threads > 0) {
+    std::printf("  poses of all bodies after each step: %s\n", is_same ? "the same to the last bit" : "DIFFERENT");
+  }
+  return is_same && runs[1].end.lost <= runs[0].end.lost;
 }
 
 ExitStatus Run(const Options& options) {
@@ -138,12 +186,12 @@ ExitStatus Run(const Options& options) {
               sizeof(btScalar) == sizeof(double) ? "double" : "float");
   std::printf("%-14s%12s%9s%12s%9s%12s%9s%9s%8s%8s%11s\n", "", "narrowphase", "ratio", "step", "us/query", "last m/s",
               "rest s", "rms s", "awake", "lost", "fallbacks");
-  bool none_lost = true;
+  bool is_good = true;
   for (const BigScene& scene : BigScenes()) {
     if (std::ranges::find(options.scenes, scene.name) == options.scenes.end()) continue;
-    none_lost = Simulate(scene, options) && none_lost;
+    is_good = Simulate(scene, options) && is_good;
   }
-  return none_lost ? kSuccess : kFailedQuery;
+  return is_good ? kSuccess : kFailedQuery;
 }
 
 }  // namespace

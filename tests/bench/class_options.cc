@@ -3,17 +3,13 @@
 #include <algorithm>
 
 namespace dgd_bench {
-namespace {
-
-constexpr int kMost = 10'000'000;
-
-}  // namespace
 
 bool ClassOptions::Wants(const PairClass& each) const {
   return classes.empty() || std::ranges::count(classes, each.name) > 0;
 }
 
 void AddClassOptions(dgd_demos::CommandLine& line, ClassOptions& options) {
+  constexpr int kMost = 10'000'000;
   std::vector<std::string> names;
   for (const PairClass& each : AllPairClasses()) names.emplace_back(each.name);
   line.AddNumber("--pairs", "N", options.pairs, {1, kMost}, "Pairs of sets of each class");
@@ -21,10 +17,6 @@ void AddClassOptions(dgd_demos::CommandLine& line, ClassOptions& options) {
   line.AddSeed(options.seed, "Seed of the sets and poses");
   line.AddChoices("--classes", "A,B", options.classes, names, "Some of the classes below");
   line.AddText("--meshes", "DIR", options.meshes, "Folder of .obj files for the class meshes");
-}
-
-void AddTimedClassOptions(dgd_demos::CommandLine& line, TimedClassOptions& options) {
-  AddClassOptions(line, options);
   line.AddNumber("--repeats", "N", options.repeats, {1, kMost}, "Queries in a row, of which the mean is taken");
   line.AddNumber("--rounds", "N", options.rounds, {1, kMost},
                  "Turns of all methods, of which each one's least mean counts");

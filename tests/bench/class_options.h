@@ -11,31 +11,19 @@
 namespace dgd_bench {
 
 struct ClassOptions {
-  int pairs = 1000;
-  int poses = 100;
+  int pairs = 200;
+  int poses = 20;
   std::uint64_t seed = 1;
   std::vector<std::string> classes;  ///< Empty for all.
   std::string meshes;                ///< Folder; empty for generated ones.
+  int repeats = 10;                  ///< Queries in a row, of which the mean is taken.
+  int rounds = 3;                    ///< Turns of all methods, of which each one's least mean counts.
 
   bool Wants(const PairClass& each) const;
 };
 
-/// Adds --pairs, --poses, --seed, --classes and --meshes, whose defaults `options` holds.
+/// Adds an option for each, whose defaults `options` holds.
 void AddClassOptions(dgd_demos::CommandLine& line, ClassOptions& options);
-
-/// Of the programs that time several methods.
-struct TimedClassOptions : ClassOptions {
-  TimedClassOptions() {
-    pairs = 200;
-    poses = 20;
-  }
-
-  int repeats = 10;  ///< Queries in a row, of which the mean is taken.
-  int rounds = 3;    ///< Turns of all methods, of which each one's least mean counts.
-};
-
-/// Adds --repeats and --rounds to the above.
-void AddTimedClassOptions(dgd_demos::CommandLine& line, TimedClassOptions& options);
 
 /// What the classes are, for a program's help.
 std::string ClassesInWords();

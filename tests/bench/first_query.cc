@@ -1,13 +1,16 @@
 // first_query: what new hulls cost, on Bullet's built-in narrowphase and on the plugin in turns. See --help.
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <deque>
 #include <limits>
+#include <new>
 #include <optional>
 #include <string>
 #include <variant>
@@ -15,12 +18,32 @@
 
 #include "bench/bench_world.h"
 #include "bench/exit_status.h"
-#include "bench/heap_bytes.h"
 #include "bench/percentile.h"
 #include "bench/stopwatch.h"
 #include "command_line.h"
 #include "program_main.h"
 #include "support/random.h"
+
+namespace {
+
+/// Bytes that operator new has handed out and not got back, rounded up as the heap does.
+std::ptrdiff_t heap_bytes = 0;
+
+void Free(void* memory) {
+  heap_bytes -= static_cast<std::ptrdiff_t>(malloc_usable_size(memory));
+  std::free(memory);
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  void* memory = std::malloc(size);
+  if (memory == nullptr) throw std::bad_alloc();
+  heap_bytes += static_cast<std::ptrdiff_t>(malloc_usable_size(memory));
+  return memory;
+}
+void operator delete(void* memory) noexcept { Free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { Free(memory); }
 
 namespace dgd_bench {
 namespace {
@@ -163,10 +186,10 @@ HullBytes MeasureBytes(const Options& options, int points, int later) {
   for (int i = 0; i < kPairs; ++i) {
     pairs.emplace_back(world, OnBall(random, points), OnBall(random, points), Vec(1, 0, 0));
   }
-  const std::ptrdiff_t before = HeapBytes();
+  const std::ptrdiff_t before = heap_bytes;
   const auto bytes_after = [&](int queries) {
     for (NewPair& pair : pairs) pair.Time(queries);
-    return (HeapBytes() - before) / (2 * kPairs);
+    return (heap_bytes - before) / (2 * kPairs);
   };
   const std::ptrdiff_t first = bytes_after(1);
   return {first, bytes_after(later)};

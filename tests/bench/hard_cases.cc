@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -22,7 +21,6 @@
 #include "bench/peers/fcl_peer.h"
 #include "command_line.h"
 #include "program_main.h"
-#include "report/csv_file.h"
 #include "support/hard/distance_truth.h"
 #include "support/hard/examine.h"
 
@@ -62,8 +60,7 @@ Columns:  cases that the method has sets for; share certified: of the growth dis
 Tolerance: of the growth distance 64 units of the last digit of a coordinate; of the others 1e-9 of the
           pair's size in double and 1e-5 in float, or --tolerance.
 
-Exit status: 0; 1 a growth distance was refuted or wrong; 2 wrong command line, or the output cannot be
-written.)";
+Exit status: 0; 1 a growth distance was refuted or wrong; 2 wrong command line.)";
 
 struct Options {
   int cases = 200;
@@ -71,7 +68,6 @@ struct Options {
   int rounds = 3;
   double tolerance = 0;
   std::string only;
-  std::filesystem::path csv;
   std::optional<int> replay;
   bool is_list = false;
 };
@@ -89,7 +85,6 @@ std::variant<Options, ExitStatus> ParseCommandLine(int argc, const char* const* 
   line.AddNumber("--tolerance", "T", options.tolerance, {0, 0.1},
                  "Of distances and of yes or no, relative; 0 for the scalar's");
   line.AddChoice("--class", "NAME", options.only, names, "Only this class");
-  line.AddPath("--csv", "FILE", options.csv, "File for the table");
   line.AddIndex("--replay", options.replay, "Print every method's answer to the case of this index");
   line.AddFlag("--list", options.is_list, "List the classes");
   if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
@@ -101,6 +96,17 @@ struct Row {
   int asked = 0, certified = 0, declined = 0, refuted = 0, wrong = 0;
   double worst_error = 0;
   double longest = 0;  // us
+
+  Row& operator+=(const Row& other) {
+    asked += other.asked;
+    certified += other.certified;
+    declined += other.declined;
+    refuted += other.refuted;
+    wrong += other.wrong;
+    worst_error = std::max(worst_error, other.worst_error);
+    longest = std::max(longest, other.longest);
+    return *this;
+  }
 };
 
 /// What is true of a case as one scalar rounds it.
@@ -160,13 +166,14 @@ std::vector<Method> AllMethods() {
 constexpr std::array kGrowthDistances = {"growth distance, double", "growth distance, float"};
 
 void Take(const Judgement& judgement, double microseconds, Row& row) {
-  ++row.asked;
-  row.certified += judgement.verdict == Verdict::kCertified ? 1 : 0;
-  row.declined += judgement.verdict == Verdict::kDeclined ? 1 : 0;
-  row.refuted += judgement.verdict == Verdict::kRefuted ? 1 : 0;
-  row.wrong += judgement.is_wrong ? 1 : 0;
-  row.worst_error = std::max(row.worst_error, judgement.error);
-  row.longest = std::max(row.longest, microseconds);
+  const auto is = [&](Verdict verdict) { return judgement.verdict == verdict ? 1 : 0; };
+  row += {1,
+          is(Verdict::kCertified),
+          is(Verdict::kDeclined),
+          is(Verdict::kRefuted),
+          judgement.is_wrong ? 1 : 0,
+          judgement.error,
+          microseconds};
 }
 
 Judgement JudgementOf(const Examination& examination) {
@@ -247,20 +254,6 @@ void Print(const ClassRows& measured, const std::vector<Method>& methods) {
   std::fflush(stdout);
 }
 
-void WriteCsv(const std::vector<ClassRows>& all, const std::vector<Method>& methods, const Options& options) {
-  dgd_demos::CsvFile file(options.csv);
-  file.stream() << "class,method,seed,cases,certified,declined,refuted,wrong,worst_error,longest_us\n";
-  for (const ClassRows& measured : all) {
-    for (std::size_t i = 0; i < measured.rows.size(); ++i) {
-      const Row& row = measured.rows[i];
-      file.stream() << measured.hard_class->name << ",\"" << NameOfRow(i, methods) << "\"," << options.seed << ','
-                    << row.asked << ',' << row.certified << ',' << row.declined << ',' << row.refuted << ','
-                    << row.wrong << ',' << row.worst_error << ',' << row.longest << '\n';
-    }
-  }
-  file.Flush();
-}
-
 void Replay(const HardClass& hard_class, const std::vector<Method>& methods, const Options& options) {
   const HardCase hard_case = dgd_test::MakeHardCase(hard_class, options.seed, *options.replay);
   std::cout << hard_class.name << ", case " << *options.replay << "\n" << dgd_test::Dump(hard_case.pair);
@@ -305,33 +298,18 @@ ExitStatus Run(const Options& options) {
   std::printf("%d cases a class, seed %llu\n", options.cases, static_cast<unsigned long long>(options.seed));
   std::printf("%-28s%8s%11s%10s%9s%7s%10s%10s\n", "", "cases", "certified", "declined", "refuted", "wrong", "error",
               "us");
-  std::vector<ClassRows> all;
+  const HardClass all_classes{"all", "all of these", nullptr};
+  ClassRows total{&all_classes, std::vector<Row>(kGrowthDistances.size() + methods.size())};
   bool is_sound = true;
   for (const HardClass* hard_class : chosen) {
-    all.push_back(AskAll(*hard_class, methods, options));
-    Print(all.back(), methods);
-    for (std::size_t i = 0; i < kGrowthDistances.size(); ++i) {
-      is_sound = is_sound && all.back().rows[i].refuted == 0 && all.back().rows[i].wrong == 0;
-    }
+    const ClassRows measured = AskAll(*hard_class, methods, options);
+    Print(measured, methods);
+    for (std::size_t i = 0; i < measured.rows.size(); ++i) total.rows[i] += measured.rows[i];
   }
-  ClassRows total = all.front();
-  const HardClass all_classes{"all", "all of these", nullptr};
-  total.hard_class = &all_classes;
-  for (std::size_t c = 1; c < all.size(); ++c) {
-    for (std::size_t i = 0; i < total.rows.size(); ++i) {
-      Row& sum = total.rows[i];
-      const Row& row = all[c].rows[i];
-      sum.asked += row.asked;
-      sum.certified += row.certified;
-      sum.declined += row.declined;
-      sum.refuted += row.refuted;
-      sum.wrong += row.wrong;
-      sum.worst_error = std::max(sum.worst_error, row.worst_error);
-      sum.longest = std::max(sum.longest, row.longest);
-    }
+  for (std::size_t i = 0; i < kGrowthDistances.size(); ++i) {
+    is_sound = is_sound && total.rows[i].refuted == 0 && total.rows[i].wrong == 0;
   }
   Print(total, methods);
-  if (!options.csv.empty()) WriteCsv(all, methods, options);
   return is_sound ? kSuccess : kFailedQuery;
 }
 

@@ -21,7 +21,7 @@ struct MethodSample {
   double primal_infeasibility = kNone;  ///< Metres.
   double dual_infeasibility = kNone;
   double exact_error = kNone;   ///< Of growth distances, relative: bench/exact_growth_distance.h.
-  double normal_error = kNone;  ///< Of signed distances, as the next two: bench/replay/referee.h. Metres.
+  double normal_error = kNone;  ///< Of signed distances, as the next two: bench/referee.h. Metres.
   double depth_error = kNone;
   double witness_error = kNone;
   bool is_wrong = false;    ///< Yes or no.

@@ -1,4 +1,4 @@
-// The classes of pairs that the benchmarks `iterations` and `speed` draw from.
+// The classes of random pairs that `speed` and `solution_times` draw from.
 #pragma once
 
 #include <filesystem>

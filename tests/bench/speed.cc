@@ -1,4 +1,4 @@
-// speed: the growth distance against the paper's algorithm as printed, class by class of sets, time beside error. See
+// speed: time and error of the growth distance, class by class of sets, and of the paper's algorithm as printed. See
 // --help.
 #include <array>
 #include <cmath>
@@ -11,8 +11,8 @@
 
 #include "bench/class_options.h"
 #include "bench/exit_status.h"
-#include "bench/growth_methods.h"
-#include "bench/speed_walk.h"
+#include "bench/growth_pair.h"
+#include "bench/measure_class.h"
 #include "command_line.h"
 #include "program_main.h"
 
@@ -20,10 +20,11 @@ namespace dgd_bench {
 namespace {
 
 constexpr const char* kDescription =
-    R"(Times the growth distance on random pairs of sets in random poses, beside the paper's algorithm as it
-is printed: virtual support functions, margins inside them, coordinates of the world. Both ask the same
-code for points of the cores, in double, on the same pairs, in turns. What the answers are worth is told
-by the same certificate.)";
+    R"(Times the growth distance on random pairs of sets in random poses, and the paper's algorithm as it is
+printed: virtual support functions, margins inside them, coordinates of the world. Both call the same
+support functions of the cores, in double, on the same pairs, in turns. Ours is dgd::AnySet's, which the
+library holds compiled; in the plane, and for differentiable support functions, the template. All answers
+are judged by the same certificate.)";
 
 constexpr const char* kExamples = R"(
 Examples:
@@ -45,25 +46,25 @@ Columns:  times over all pairs and poses, each the least of --rounds means of --
 Exit status: 0 all of our answers optimal and right; 1 some not; 2 wrong command line, or a mesh cannot
 be read.)";
 
-std::variant<TimedClassOptions, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
-  TimedClassOptions options;
+std::variant<ClassOptions, ExitStatus> ParseCommandLine(int argc, const char* const* argv) {
+  ClassOptions options;
   dgd_demos::CommandLine line("speed", kDescription, kExamples + ClassesInWords() + kFooter);
-  AddTimedClassOptions(line, options);
+  AddClassOptions(line, options);
   if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
   return options;
 }
 
-/// What a class's table shows: ours, each followed by its yardstick.
+/// The rows of a class: ours, each followed by the paper's algorithm.
 constexpr std::array kTitles = {"cold", "  plain", "warm", "  plain", "collision check, cold", "  plain"};
-constexpr std::array kQuestions = {
-    SpeedQuestion{.method = SpeedMethod::kOurs},
-    SpeedQuestion{.method = SpeedMethod::kPlain},
-    SpeedQuestion{.method = SpeedMethod::kOurs, .start = kWarmStart},
-    SpeedQuestion{.method = SpeedMethod::kPlain, .start = kWarmStart},
-    SpeedQuestion{.method = SpeedMethod::kOurs, .is_check = true},
-    SpeedQuestion{.method = SpeedMethod::kPlain, .is_check = true},
+constexpr std::array kQueries = {
+    GrowthQuery{},
+    GrowthQuery{.algorithm = GrowthAlgorithm::kPlain},
+    GrowthQuery{.is_warm = true},
+    GrowthQuery{.algorithm = GrowthAlgorithm::kPlain, .is_warm = true},
+    GrowthQuery{.is_check = true},
+    GrowthQuery{.algorithm = GrowthAlgorithm::kPlain, .is_check = true},
 };
-static_assert(kTitles.size() == kQuestions.size());
+static_assert(kTitles.size() == kQueries.size());
 constexpr std::size_t kColdRow = 0, kWarmRow = 2, kCheckRow = 4;
 
 using Rows = std::vector<MethodSummary>;
@@ -73,12 +74,12 @@ void Print(const PairClass& each, const Rows& rows) {
   for (std::size_t m = 0; m < rows.size(); ++m) {
     const MethodSummary& row = rows[m];
     std::printf("  %-24s%9.3f%9.3f%9.3f", kTitles[m], row.p50, row.p99, row.p9999);
-    if (kQuestions[m].method == SpeedMethod::kPlain) {
+    if (kQueries[m].algorithm == GrowthAlgorithm::kPlain) {
       std::printf("%10s", "");
     } else {
       std::printf("%10.2f", row.p50 / rows[m + 1].p50);
     }
-    if (kQuestions[m].is_check) {
+    if (kQueries[m].is_check) {
       std::printf("%8s%10s%10s", "", "", "");
     } else {
       std::printf("%8.2f%10.1e%10.1e", row.iterations, row.Of(ErrorKind::kGap).most, row.Of(ErrorKind::kPrimal).most);
@@ -101,7 +102,7 @@ void PrintGrowth(const std::vector<std::pair<const PairClass*, Rows>>& measured)
   std::printf("plain %.2f, %.2f, %.2f\n", growth(kColdRow + 1), growth(kWarmRow + 1), growth(kCheckRow + 1));
 }
 
-ExitStatus Run(const TimedClassOptions& options) {
+ExitStatus Run(const ClassOptions& options) {
   dgd_test::Random random(options.seed);
   const Meshes meshes = MakeMeshes(options, random);
   std::printf("%d pairs x %d poses a class, seed %llu; times in us\n", options.pairs, options.poses,
@@ -112,7 +113,7 @@ ExitStatus Run(const TimedClassOptions& options) {
   std::vector<std::pair<const PairClass*, Rows>> by_vertices;
   for (const PairClass& each : AllPairClasses()) {
     if (!options.Wants(each)) continue;
-    const Rows rows = MeasureClass(each, meshes, kQuestions, options);
+    const Rows rows = MeasureClass(each, meshes, kQueries, options, MakeGrowthPair);
     Print(each, rows);
     if (each.vertices > 0) by_vertices.emplace_back(&each, rows);
     for (std::size_t m = 0; m < rows.size(); m += 2) {

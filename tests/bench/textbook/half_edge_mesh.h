@@ -23,7 +23,6 @@ class HalfEdgeMesh {
 
   const Eigen::Vector3d& Center() const { return center_; }  ///< The hull's frame, metres.
 
-  int VertexCount() const { return static_cast<int>(vertices_.size()); }
   int FacetCount() const { return static_cast<int>(polars_.size()); }
 
   /// Offset from the centre, metres.

@@ -18,6 +18,9 @@ using Eigen::Vector3d;
 using Feature = IncrementalState::Feature;
 using Type = IncrementalState::Type;
 
+/// Unless the overlay is degenerate no feature comes twice, and sets have fewer.
+constexpr int kMostSteps = 100'000;
+
 /// A rise of less than this part of what it is the difference of is rounding.
 constexpr double kRounding = 16 * dgd::kEpsilon<double>;
 
@@ -70,9 +73,8 @@ class OverlayWalk {
     result.iterations = steps_;
     result.upper_bound = length_ / length;
     const Vector3d normal = normal_.normalized();
-    const double support = is_optimal ? length * normal.z() : Support(normal);
-    result.lower_bound = is_optimal ? result.upper_bound : length_ * normal.z() / support;
-    result.separation = length_ * normal.z() - support;
+    result.lower_bound = is_optimal ? result.upper_bound : 0;  // Cut short, nothing is proven.
+    result.separation = (length_ - length) * normal.z();
     result.normal = frame_ * normal;
     result.witness_1 = center_1_ + frame_ * points_[0];
     result.witness_2 = center_2_ + frame_ * Flipped(points_[1]);
@@ -343,19 +345,6 @@ class OverlayWalk {
     return mesh.Edge(feature.type == Type::kEdge ? feature.index : mesh.EdgeFromVertex(feature.index)).facet;
   }
 
-  /// Of the Minkowski difference, by all vertices: where the walk was cut short.
-  double Support(const Vector3d& normal) const {
-    double support = 0;
-    for (int i = 0; i < 2; ++i) {
-      const HalfEdgeMesh& mesh = sides_[i].Mesh();
-      const Vector3d direction = sides_[i].ToMesh(i == 0 ? normal : Flipped(-normal));
-      double farthest = 0;
-      for (int v = 0; v < mesh.VertexCount(); ++v) farthest = std::max(farthest, direction.dot(mesh.Vertex(v)));
-      support += farthest;
-    }
-    return support;
-  }
-
   const Vector3d center_1_, center_2_;
   const double length_;   // |p|.
   const Matrix3d frame_;  // Columns: across the ray, and along it from set 1 to set 2; world.
@@ -370,7 +359,7 @@ class OverlayWalk {
 
 dgd::Result<double> IncrementalGrowthDistance(const HalfEdgeMesh& mesh_1, const dgd::Pose<double>& pose_1,
                                               const HalfEdgeMesh& mesh_2, const dgd::Pose<double>& pose_2,
-                                              IncrementalState* state, int most_steps) {
+                                              IncrementalState* state) {
   OverlayWalk walk(mesh_1, pose_1, mesh_2, pose_2);
   if (state != nullptr && !state->is_empty) {
     walk.Resume(*state);
@@ -380,7 +369,7 @@ dgd::Result<double> IncrementalGrowthDistance(const HalfEdgeMesh& mesh_1, const 
   bool is_optimal = false;
   do {
     is_optimal = !walk.Step();
-  } while (!is_optimal && walk.Steps() < most_steps);
+  } while (!is_optimal && walk.Steps() < kMostSteps);
   if (state != nullptr) *state = {walk.On(), false};
   return walk.MakeResult(is_optimal);
 }

@@ -1,5 +1,5 @@
 // Inc, the incremental algorithm for the growth distance of polytopes given by their facets (paper, Sec. I,
-// [ong2000fast]), as a yardstick. The formulation is the linear program of [ong1996growth],
+// [ong2000fast]), as the paper compares with it. The formulation is the linear program of [ong1996growth],
 //
 //   min s  subject to  <m, x - p1> <= s for the facets m of set 1, <m, x - p2> <= s for those of set 2,
 //
@@ -43,17 +43,12 @@ struct IncrementalState {
   bool is_empty = true;
 };
 
-/// Unless the overlay is degenerate none comes twice, and sets have fewer features.
-inline constexpr int kMostIncrementalSteps = 100'000;
-
 /// Growth distance of two polytopes with centres apart. Statuses: kOptimal, kIterationLimit. Needs no tolerance: the
 /// last vertex is the exact one up to rounding, so both bounds are one number. Iterations are steps from a feature to a
 /// neighbour; no support function is evaluated.
-/// @param state       In and out; nullptr for a cold start that remembers nothing.
-/// @param most_steps  No further one is made after so many; the bounds hold all the same.
+/// @param state  In and out; nullptr for a cold start that remembers nothing.
 dgd::Result<double> IncrementalGrowthDistance(const HalfEdgeMesh& mesh_1, const dgd::Pose<double>& pose_1,
                                               const HalfEdgeMesh& mesh_2, const dgd::Pose<double>& pose_2,
-                                              IncrementalState* state = nullptr,
-                                              int most_steps = kMostIncrementalSteps);
+                                              IncrementalState* state = nullptr);
 
 }  // namespace dgd_bench

@@ -1,5 +1,5 @@
-// IE, the internal expanding procedure (paper, Sec. I, [zheng2010fast] and [zheng2013ray]), as a yardstick: from a
-// simplex in C = (C1 - p1) - (C2 - p2) that contains the origin, outwards.
+// IE, the internal expanding procedure (paper, Sec. I, [zheng2010fast] and [zheng2013ray]): from a simplex
+// in C = (C1 - p1) - (C2 - p2) that contains the origin, outwards.
 //
 // The ray leaves the simplex through a facet. The support point along that facet's normal and the facet span the next
 // simplex, whose other three facets are made; the ray leaves it through the one of them whose plane it meets first.

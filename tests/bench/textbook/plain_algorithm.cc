@@ -64,14 +64,14 @@ class PlainQuery {
 template <int L>
 dgd::Result<double, L> PlainGrowthDistance(const SupportFunction<L>& set_1, const dgd::Pose<double, L>& pose_1,
                                            const SupportFunction<L>& set_2, const dgd::Pose<double, L>& pose_2,
-                                           PlainState<L>* state, double tolerance) {
-  PlainQuery<L> query(set_1, pose_1, set_2, pose_2, tolerance);
+                                           PlainState<L>* state, const dgd::Settings<double>& settings) {
+  PlainQuery<L> query(set_1, pose_1, set_2, pose_2, settings.relative_tolerance);
   if (state != nullptr && !state->is_empty) query.WarmStart(*state);
   int iterations = 0;
   do {
     query.Update();
     ++iterations;
-  } while (!query.Ray().HasConverged() && iterations < kMaxIterations);
+  } while (!query.Ray().HasConverged() && iterations < settings.max_iterations);
   if (state != nullptr) query.Remember(*state);
   return query.MakeResult(iterations);
 }
@@ -92,7 +92,7 @@ dgd::Status PlainCollision(const SupportFunction<L>& set_1, const dgd::Pose<doub
 #define DGD_BENCH_INSTANTIATE(L)                                                                                 \
   template dgd::Result<double, L> PlainGrowthDistance<L>(const SupportFunction<L>&, const dgd::Pose<double, L>&, \
                                                          const SupportFunction<L>&, const dgd::Pose<double, L>&, \
-                                                         PlainState<L>*, double);                                \
+                                                         PlainState<L>*, const dgd::Settings<double>&);          \
   template dgd::Status PlainCollision<L>(const SupportFunction<L>&, const dgd::Pose<double, L>&,                 \
                                          const SupportFunction<L>&, const dgd::Pose<double, L>&);
 DGD_BENCH_INSTANTIATE(2)

@@ -1,11 +1,10 @@
-// The yardstick: the paper's algorithms 1 to 3 as they are printed, in two and three dimensions and in double, with
-// nothing of what dgd_core does besides. Virtual support functions with the margin inside, coordinates of the world,
+// The paper's algorithms 1 to 3 as they are printed, in two and three dimensions and in double, with nothing of what
+// dgd_core does besides. Virtual support functions with the margin inside, coordinates of the world,
 // one step of the simplex method an iteration, the basis as a matrix that Eigen inverts.
 #pragma once
 
 #include "bench/textbook/support_function.h"
 #include "dgd/query_types.h"
-#include "dgd/ray/tolerances.h"
 
 namespace dgd_bench {
 
@@ -19,13 +18,12 @@ struct PlainState {
 
 /// Growth distance of two sets, at least one with an inradius above 0 and with centres apart. Statuses: kOptimal,
 /// kIterationLimit.
-/// @param state      In and out; nullptr for a cold start that remembers nothing.
-/// @param tolerance  Relative gap of the bounds below which they are optimal; > 0.
+/// @param state     In and out; nullptr for a cold start that remembers nothing.
+/// @param settings  Its tolerance and limit of iterations.
 template <int L>
 dgd::Result<double, L> PlainGrowthDistance(const SupportFunction<L>& set_1, const dgd::Pose<double, L>& pose_1,
                                            const SupportFunction<L>& set_2, const dgd::Pose<double, L>& pose_2,
-                                           PlainState<L>* state = nullptr,
-                                           double tolerance = dgd::kSqrtEpsilon<double>);
+                                           PlainState<L>* state = nullptr, const dgd::Settings<double>& settings = {});
 
 /// Whether the sets have a point in common (paper, Sec. III-D4): kSeparated, kColliding or kTouching, else
 /// kIterationLimit.

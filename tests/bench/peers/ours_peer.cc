@@ -1,8 +1,6 @@
-#include "bench/replay/ours_peer.h"
+#include "bench/peers/ours_peer.h"
 
-#include <limits>
-#include <utility>
-
+#include "bench/solver_set.h"
 #include "bench/stopwatch.h"
 #include "pair_distance.h"
 
@@ -10,43 +8,6 @@ namespace dgd_bench {
 namespace {
 
 using dgd_test::SetNumbers;
-using dgd_test::SetType;
-
-/// A set of the plugin's, and the hull that it refers to.
-struct OwnedShape {
-  std::shared_ptr<const dgd::Polytope<double>> hull;
-  std::optional<dgd::AnySet> set;  ///< Nothing for what Bullet has no shape for.
-};
-
-OwnedShape MakeShape(const SetNumbers& numbers) {
-  const auto& lengths = numbers.lengths;
-  const auto rounded = [&](auto core) -> OwnedShape {
-    return {nullptr, dgd::AnySet(dgd::RoundedSet<decltype(core)>{std::move(core), numbers.radius})};
-  };
-  switch (numbers.type) {
-    case SetType::kPoint:
-      return rounded(dgd::Point<double>());
-    case SetType::kSegment:
-      return rounded(dgd::Segment<double>(lengths[0]));
-    case SetType::kTriangle:
-      return rounded(dgd::Triangle<double>(numbers.points[0], numbers.points[1], numbers.points[2]));
-    case SetType::kBox:
-      return rounded(dgd::Box<double>(lengths));
-    case SetType::kCylinder:
-      return rounded(dgd::Cylinder<double>(lengths[0], lengths[1]));
-    case SetType::kCone:
-      return rounded(dgd::Cone<double>(lengths[0], lengths[1]));
-    case SetType::kPolytope:
-    case SetType::kMesh: {
-      auto hull = std::make_shared<const dgd::Polytope<double>>(numbers.points);
-      OwnedShape shape = rounded(dgd::CoreReference(*hull));
-      shape.hull = std::move(hull);
-      return shape;
-    }
-    default:
-      return {};
-  }
-}
 
 /// What the plugin keeps of a pair from step to step.
 struct PairMemory {
@@ -56,11 +17,11 @@ struct PairMemory {
 
 class OursPeer : public Peer {
  public:
-  OursPeer(OwnedShape shape_1, OwnedShape shape_2, bool is_warm)
-      : hull_1_(std::move(shape_1.hull)),
-        hull_2_(std::move(shape_2.hull)),
-        posed_1_{*shape_1.set, {}},
-        posed_2_{*shape_2.set, {}},
+  OursPeer(const SetNumbers& set_1, const SetNumbers& set_2, bool is_warm)
+      : set_1_(MakeSolverSet<3>(set_1)),
+        set_2_(MakeSolverSet<3>(set_2)),
+        posed_1_{set_1_.set, {}},
+        posed_2_{set_2_.set, {}},
         is_warm_(is_warm) {}
 
   void MoveTo(const PairTurn& turn) override {
@@ -107,26 +68,20 @@ class OursPeer : public Peer {
     return result;
   }
 
-  std::shared_ptr<const dgd::Polytope<double>> hull_1_, hull_2_;
+  SolverSet<3> set_1_, set_2_;
   dgd_bullet::PosedShape posed_1_, posed_2_;
   bool is_warm_;
   PairMemory memory_;
 };
 
-std::unique_ptr<Peer> Make(const SetNumbers& set_1, const SetNumbers& set_2, bool is_warm) {
-  OwnedShape shape_1 = MakeShape(set_1), shape_2 = MakeShape(set_2);
-  if (!shape_1.set || !shape_2.set) return nullptr;
-  return std::make_unique<OursPeer>(std::move(shape_1), std::move(shape_2), is_warm);
-}
-
 }  // namespace
 
 std::unique_ptr<Peer> MakeOursPeer(const SetNumbers& set_1, const SetNumbers& set_2) {
-  return Make(set_1, set_2, false);
+  return std::make_unique<OursPeer>(set_1, set_2, false);
 }
 
 std::unique_ptr<Peer> MakeOursWarmPeer(const SetNumbers& set_1, const SetNumbers& set_2) {
-  return Make(set_1, set_2, true);
+  return std::make_unique<OursPeer>(set_1, set_2, true);
 }
 
 }  // namespace dgd_bench

@@ -1,10 +1,10 @@
 // narrowphase_replay: every method on the pairs that a narrowphase was asked about, time beside error. See --help.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -12,10 +12,8 @@
 #include <variant>
 #include <vector>
 
-#include "bench/method_figures.h"
+#include "bench/contest.h"
 #include "bench/peers/bullet_peers.h"
-#include "bench/replay/contest.h"
-#include "bench/replay/recorded_pairs.h"
 #include "command_line.h"
 #include "dgd_bullet/record_file.h"
 #include "program_main.h"
@@ -54,43 +52,66 @@ enum ReplayStatus { kReplayed = 0, kOursFailed = 1, kBadInput = 2, kDamagedRecor
 
 struct Options {
   std::filesystem::path record;
-  std::vector<std::string> methods;  // Empty for all.
   int pairs = 20'000;
-  int rounds = 3, repeats = 5;
-  std::filesystem::path csv;
+  ContestOptions contest;
   std::optional<int> pair;
 };
 
 std::variant<Options, ReplayStatus> ParseCommandLine(int argc, const char* const* argv) {
   constexpr int kMost = 100'000'000;
   Options options;
-  std::vector<std::string> keys;
-  std::string all_keys;
-  for (const ContestMethod& method : AllContestMethods()) {
-    if (!keys.empty()) all_keys += ", ";
-    all_keys += keys.emplace_back(method.key);
-  }
   dgd_demos::CommandLine line("narrowphase_replay", kDescription, kFooter);
   line.AddArgument("record", "FILE", options.record, "The record");
-  line.AddChoices("--methods", "A,B", options.methods, keys, "Some of the methods: " + all_keys);
   line.AddNumber("--pairs", "N", options.pairs, {1, kMost}, "Pairs, spread evenly over the record");
-  line.AddNumber("--rounds", "N", options.rounds, {1, kMost},
-                 "Turns of all methods, of which each one's least mean counts");
-  line.AddNumber("--repeats", "N", options.repeats, {1, kMost}, "Queries in a row, of which the mean is taken");
-  line.AddPath("--csv", "FILE", options.csv, "Write the figures to this file");
+  AddContestOptions(line, options.contest);
   line.AddIndex("--pair", options.pair, "Only the pair of this index");
   if (const std::optional<int> end = line.Parse(argc, argv)) return ReplayStatus(*end);
   return options;
 }
 
-using Methods = std::vector<const ContestMethod*>;
-
-Methods MethodsOf(const Options& options) {
-  Methods methods;
-  for (const ContestMethod& method : AllContestMethods()) {
-    if (options.methods.empty() || std::ranges::count(options.methods, method.key) > 0) methods.push_back(&method);
+dgd_test::SetType TypeOf(dgd_bullet::RecordedShape::Core core) {
+  using dgd_test::SetType;
+  using Core = dgd_bullet::RecordedShape::Core;
+  switch (core) {
+    case Core::kPoint:
+      return SetType::kPoint;
+    case Core::kSegment:
+      return SetType::kSegment;
+    case Core::kTriangle:
+      return SetType::kTriangle;
+    case Core::kBox:
+      return SetType::kBox;
+    case Core::kCylinder:
+      return SetType::kCylinder;
+    case Core::kCone:
+      return SetType::kCone;
+    case Core::kHull:
+      break;
   }
-  return methods;
+  return SetType::kPolytope;
+}
+
+dgd_test::SetNumbers SetFrom(const dgd_bullet::RecordedShape& shape) {
+  using Core = dgd_bullet::RecordedShape::Core;
+  dgd_test::SetNumbers set{.type = TypeOf(shape.core), .radius = shape.radius};
+  if (shape.core == Core::kTriangle || shape.core == Core::kHull) {
+    for (std::size_t i = 0; i < shape.numbers.size(); i += 3) {
+      set.points.emplace_back(shape.numbers[i], shape.numbers[i + 1], shape.numbers[i + 2]);
+    }
+  } else {
+    std::ranges::copy(shape.numbers, set.lengths.begin());
+  }
+  return set;
+}
+
+/// The nearest pose whose axes are orthonormal: those of float are off by 1e-7, which no solver answers for.
+dgd_test::PoseNumbers PoseFrom(const dgd_bullet::RecordedPose& pose) {
+  dgd_test::PoseNumbers numbers;
+  using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  const Eigen::Matrix3d rotation = Eigen::Map<const RowMajor>(pose.rotation.data());
+  numbers.rotation = Eigen::Quaterniond(rotation).normalized().toRotationMatrix();
+  numbers.translation = Eigen::Map<const Eigen::Vector3d>(pose.translation.data());
+  return numbers;
 }
 
 /// A pair of the record that was asked about before.
@@ -123,11 +144,11 @@ std::vector<Turn> SpreadOver(const std::vector<Turn>& turns, std::size_t most) {
 class Replay {
  public:
   Replay(const dgd_bullet::Record& record, const Options& options)
-      : record_(record), options_(options), methods_(MethodsOf(options)), figures_(methods_.size()) {
+      : record_(record), options_(options), methods_(MethodsOf(options.contest)), figures_(methods_) {
     for (const dgd_bullet::RecordedShape& shape : record.shapes) sets_.push_back(SetFrom(shape));
   }
 
-  const Methods& methods() const { return methods_; }
+  const ContestMethods& methods() const { return methods_; }
 
   /// One sample a method.
   std::vector<MethodSample> Ask(const Turn& turn) {
@@ -136,18 +157,12 @@ class Replay {
         pairs_.try_emplace({now.shape_1, now.shape_2}, sets_[now.shape_1], sets_[now.shape_2], methods_);
     ContestPair& pair = place->second;
     pair.MoveTo({PoseFrom(last.pose_1), PoseFrom(last.pose_2), PoseFrom(now.pose_1), PoseFrom(now.pose_2)});
-    std::vector<MethodSample> samples = pair.Measure(options_.rounds, options_.repeats);
-    for (std::size_t m = 0; m < methods_.size(); ++m) {
-      if (pair.Takes(m)) figures_[m].Take(samples[m], static_cast<std::int64_t>(turn.index));
-    }
+    std::vector<MethodSample> samples = pair.Measure(options_.contest.rounds, options_.contest.repeats);
+    figures_.Take(pair, samples, static_cast<std::int64_t>(turn.index));
     return samples;
   }
 
-  std::vector<MethodSummary> Summarize() const {
-    std::vector<MethodSummary> summaries;
-    for (const MethodFigures& figures : figures_) summaries.push_back(figures.Summarize());
-    return summaries;
-  }
+  std::vector<MethodSummary> Summarize() const { return figures_.Summarize(); }
 
   /// All numbers of one pair.
   std::string Dump(std::size_t index) const {
@@ -158,52 +173,13 @@ class Replay {
  private:
   const dgd_bullet::Record& record_;
   const Options& options_;
-  const Methods methods_;
+  const ContestMethods methods_;
   std::vector<dgd_test::SetNumbers> sets_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, ContestPair> pairs_;  // By shapes: bodies share them.
-  std::vector<MethodFigures> figures_;
+  ContestFigures figures_;
 };
 
-void PrintNumber(const char* format, int width, double number) {
-  if (std::isnan(number)) {
-    std::printf("%*s", width, "");
-  } else {
-    std::printf(format, number);
-  }
-}
-
-void Print(const Methods& methods, const std::vector<MethodSummary>& summaries) {
-  std::printf("%-32s%8s%8s%8s%9s%8s%7s%10s%10s%10s%10s%10s%7s%8s%8s%10s\n", "", "pairs", "p50", "p99", "p99.99", "mean",
-              "ratio", "gap max", "primal", "norm. p99", "norm. max", "depth max", "wrong", "missing", "failed",
-              "worst");
-  double yardstick = MethodSample::kNone;
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    if (methods[m]->key == "bullet_gjk_epa") yardstick = summaries[m].p50;
-  }
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    const MethodSummary& summary = summaries[m];
-    std::printf("%-32s", methods[m]->title.c_str());
-    if (summary.pairs == 0) {
-      std::printf("unsupported\n");
-      continue;
-    }
-    std::printf("%8zu%8.3f%8.3f%9.3f%8.3f", summary.pairs, summary.p50, summary.p99, summary.p9999, summary.mean);
-    PrintNumber("%7.2f", 7, summary.p50 / yardstick);
-    const ErrorFigure &gap = summary.Of(ErrorKind::kGap), &normal = summary.Of(ErrorKind::kNormal);
-    PrintNumber("%10.1e", 10, gap.most);
-    PrintNumber("%10.1e", 10, summary.Of(ErrorKind::kPrimal).most);
-    PrintNumber("%10.1e", 10, normal.p99);
-    PrintNumber("%10.1e", 10, normal.most);
-    PrintNumber("%10.1e", 10, summary.Of(ErrorKind::kDepth).most);
-    std::printf("%7lld%8lld%8lld", static_cast<long long>(summary.wrong), static_cast<long long>(summary.missing),
-                static_cast<long long>(summary.failures));
-    const std::int64_t worst = std::max(gap.worst_pair, normal.worst_pair);
-    if (worst >= 0) std::printf("%10lld", static_cast<long long>(worst));
-    std::printf("\n");
-  }
-}
-
-void PrintOne(const Methods& methods, const std::vector<MethodSample>& samples) {
+void PrintOne(const ContestMethods& methods, const std::vector<MethodSample>& samples) {
   for (std::size_t m = 0; m < methods.size(); ++m) {
     const MethodSample& sample = samples[m];
     std::printf("%-32s", methods[m]->title.c_str());
@@ -221,14 +197,6 @@ void PrintOne(const Methods& methods, const std::vector<MethodSample>& samples) 
     std::printf("%s%s%s\n", sample.is_wrong ? ", wrong" : "", sample.is_missing ? ", no answer" : "",
                 sample.is_failure ? ", not converged" : "");
   }
-}
-
-/// Whether one of ours answered wrongly or not at all.
-bool HasOursFailed(const Methods& methods, const std::vector<MethodSummary>& summaries) {
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    if (methods[m]->title.starts_with("ours") && summaries[m].wrong + summaries[m].missing > 0) return true;
-  }
-  return false;
 }
 
 ReplayStatus Run(const Options& options) {
@@ -268,17 +236,13 @@ ReplayStatus Run(const Options& options) {
     }
   }
   const std::vector<MethodSummary> summaries = replay.Summarize();
-  Print(replay.methods(), summaries);
-  if (!options.csv.empty()) {
-    FiguresCsv csv(options.csv);
-    const std::string work = options.record.stem().string();
-    for (std::size_t m = 0; m < summaries.size(); ++m) {
-      const ContestMethod& method = *replay.methods()[m];
-      csv.Write({work, method.key, method.title, method.IsWarm(), method.Tolerance()}, summaries[m]);
-    }
+  PrintContest(replay.methods(), summaries);
+  if (!options.contest.csv.empty()) {
+    FiguresCsv csv(options.contest.csv);
+    WriteContest(csv, options.record.stem().string(), replay.methods(), summaries);
   }
   if (record.problem) return kDamagedRecord;
-  return HasOursFailed(replay.methods(), summaries) ? kOursFailed : kReplayed;
+  return HaveOursFailed(replay.methods(), summaries) ? kOursFailed : kReplayed;
 }
 
 }  // namespace

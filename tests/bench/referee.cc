@@ -1,4 +1,4 @@
-#include "bench/replay/referee.h"
+#include "bench/referee.h"
 
 #include <algorithm>
 #include <cmath>
