@@ -7,7 +7,9 @@
 #include <numbers>
 #include <sstream>
 #include <string>
+#include <vector>
 
+#include "dgd/any_set.h"
 #include "dgd/certificate.h"
 #include "dgd/growth_distance.h"
 #include "dgd/half_space_distance.h"
@@ -97,6 +99,22 @@ TEST(ReadmeCore, SignedDistance_IsBetweenTheNearestPoints) {
   EXPECT_NEAR(distance.upper_bound, 1.25, 1e-12);
   EXPECT_NEAR((distance.witness_1 - Eigen::Vector3d(0.2, 0.1, 0.5)).norm(), 0, 1e-12);
   EXPECT_NEAR((distance.witness_2 - Eigen::Vector3d(0.2, 0.1, 1.75)).norm(), 0, 1e-12);
+}
+
+TEST(ReadmeCore, SetsOfAnyShape_AreCheckedInTurn) {
+  dgd::Pose<double> link_pose;
+  const dgd::Pose<double> obstacle_pose;
+  link_pose.translation = {0, 0, 0.55};
+  int collisions = 0;
+
+  const dgd::AnySet link = dgd::Capsule(0.1, 0.4);
+  const std::vector<dgd::AnySet> obstacles = {dgd::Sphere(0.3), dgd::RoundedSet{dgd::Box<double>({1, 1, 0.1})}};
+  for (const dgd::AnySet& obstacle : obstacles) {
+    const dgd::CollisionResult<double> check = dgd::DetectCollision(link, link_pose, obstacle, obstacle_pose);
+    if (check.status == dgd::Status::kColliding) ++collisions;
+  }
+
+  EXPECT_EQ(collisions, 1) << "the capsule's end is inside the ball, and above the box";
 }
 
 TEST(ReadmeCore, TurningRod_HitsTheBall) {
@@ -210,7 +228,7 @@ TEST(ReadmeCore, Snippets_AreTheseWordForWord) {
   const std::string folder = DGD_TEST_CORE_FOLDER;
   const int snippets = dgd_test::ExpectSnippetsIn(folder + "/../../dgd_core/README.md",
                                                   {folder + "/readme/trajectory.cc", folder + "/readme_core_test.cc"});
-  EXPECT_EQ(snippets, 11);
+  EXPECT_EQ(snippets, 12);
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ class AnySet {
   template <class Core>
   requires(std::convertible_to<Core, PolytopeCore> || std::convertible_to<Core, CurvedCore> ||
            std::same_as<Core, CustomCore>) AnySet(const RoundedSet<Core>& set)
-      : set_(std::in_place_index<kKind<Core>>, set.core, set.radius) {}
+      : set_(std::variant_alternative_t<kKind<Core>, Variant>{set.core, set.radius}) {}
 
   /// Calls visitor(const RoundedSet<Core>&), Core one of PolytopeCore, CurvedCore and CustomCore.
   template <class Visitor>

@@ -3,7 +3,7 @@
 // It is the paper's simplex method (Alg. 2) with nothing kept but the three corners of the inner approximation, in the
 // world's coordinates. A step takes the corners' plane, a support point beyond it, and the one of three triangles with
 // that point that the ray passes through: 0.6 of the time of a step of RayIntersection, which bounds, weighs and
-// remembers as it goes, and takes fewer steps for that (tests/bench/iterations). Where the walk ends is weighed once.
+// remembers as it goes, and takes fewer steps for that. Where the walk ends is weighed once.
 // What is thin or steep there is RayIntersection's, which weighs with care.
 //
 // With a radius the triangles are those of the cores, moved by it along their normal. Where the ray passes beside the

@@ -189,9 +189,9 @@ class RayIntersection {
 
   /// Polytopes: primal warm start (Sec. III-D3). The last basis, moved with the sets, goes into the inner
   /// approximation; all at once if it still carries the ray, else point by point. Curved cores, and sets that were
-  /// apart: dual warm start, the last normal begins the outer approximation. By measurement (tests/bench/iterations,
-  /// after a motion of 1 %), hulls take 1.1 directions from the basis and 4.5 from the normal, which then is no facet's
-  /// any more; of curved cores, the points have moved along their pieces.
+  /// apart: dual warm start, the last normal begins the outer approximation. After a motion of 1 %, hulls take 1.1
+  /// directions from the basis and 4.5 from the normal, which then is no facet's any more; of curved cores, the points
+  /// have moved along their pieces.
   /// @return the first direction to search.
   Point AdoptLastState(const WarmStart<S, L>& warm_start) {
     hint_1_ = warm_start.features_1[0];

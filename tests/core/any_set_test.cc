@@ -1,0 +1,205 @@
+// Sets of any shape: the same answers as the templates give, whatever the two shapes and their order.
+#include "dgd/any_set.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "dgd/shapes.h"
+#include "support/random.h"
+
+namespace dgd_test {
+namespace {
+
+using dgd::AnySet;
+using dgd::RoundedSet;
+using Vector3 = Eigen::Vector3d;
+using Pose = dgd::Pose<double>;
+
+struct NamedSet {
+  std::string name;
+  AnySet set;
+};
+
+class AnySetTest : public ::testing::Test {
+ protected:
+  /// One of each shape, about 1 m across, with and without a radius.
+  std::vector<NamedSet> MakeSets() {
+    std::vector<NamedSet> sets;
+    for (const double radius : {0.0, 0.05}) {
+      const std::string suffix = radius > 0 ? ", rounded" : "";
+      const auto add = [&](const char* name, const auto& core) {
+        sets.push_back({name + suffix, RoundedSet{core, radius}});
+      };
+      add("segment", dgd::Segment<double>(0.5));
+      add("triangle", dgd::Triangle<double>({0.5, 0, 0}, {-0.4, 0.4, 0.1}, {-0.3, -0.5, 0}));
+      add("box", dgd::Box<double>({0.5, 0.3, 0.2}));
+      add("hull", dgd::CoreReference<dgd::Polytope<double>>(hull_));
+      add("cylinder", dgd::Cylinder<double>(0.3, 0.5));
+      add("cone", dgd::Cone<double>(0.4, 0.9));
+      add("frustum", dgd::Frustum<double>(0.4, 0.2, 0.7));
+      add("ellipsoid", dgd::Ellipsoid<double>({0.5, 0.3, 0.2}));
+      add("custom", dgd::CustomCore(ellipsoid_));
+    }
+    sets.push_back({"sphere", dgd::Sphere(0.4)});
+    return sets;
+  }
+
+  Pose RandomPose(double reach) { return {random_.Rotation(), reach * random_.InCube()}; }
+
+  Random random_{TestSeed()};
+
+ private:
+  dgd::Polytope<double> MakeHull() {
+    std::vector<Vector3> points;
+    for (int i = 0; i < 16; ++i) points.push_back(0.5 * random_.UnitVector());
+    return dgd::Polytope<double>(points);
+  }
+
+  const dgd::Polytope<double> hull_ = MakeHull();
+  const dgd::Ellipsoid<double> ellipsoid_{{0.5, 0.3, 0.2}};
+};
+
+/// What the sets' own support functions say of a normal.
+double SeparationAlong(const Vector3& normal, const AnySet& a, const Pose& pose_a, const AnySet& b,
+                       const Pose& pose_b) {
+  const Vector3 on_a = pose_a * a.CoreSupport(pose_a.rotation.transpose() * normal) + a.Radius() * normal;
+  const Vector3 on_b = pose_b * b.CoreSupport(pose_b.rotation.transpose() * -normal) - b.Radius() * normal;
+  return normal.dot(on_b - on_a);
+}
+
+TEST_F(AnySetTest, AllPairsOfShapes_GiveTheSameInEitherOrder) {
+  const std::vector<NamedSet> sets = MakeSets();
+  for (const NamedSet& a : sets) {
+    for (const NamedSet& b : sets) {
+      if (a.set.CoreInradius() + a.set.Radius() + b.set.CoreInradius() + b.set.Radius() == 0) continue;
+      SCOPED_TRACE(a.name + ", " + b.name);
+      const Pose pose_a = RandomPose(0.4), pose_b = RandomPose(0.8);
+      const auto there = dgd::GrowthDistance(a.set, pose_a, b.set, pose_b);
+      const auto back = dgd::GrowthDistance(b.set, pose_b, a.set, pose_a);
+      ASSERT_EQ(there.status, dgd::Status::kOptimal);
+      ASSERT_EQ(back.status, dgd::Status::kOptimal);
+      EXPECT_NEAR(there.upper_bound, back.upper_bound, 1e-6 * there.upper_bound);
+      EXPECT_NEAR(there.separation, SeparationAlong(there.normal, a.set, pose_a, b.set, pose_b), 1e-12);
+
+      const auto check = dgd::DetectCollision(a.set, pose_a, b.set, pose_b);
+      if (std::abs(there.upper_bound - 1) > 1e-5) {
+        EXPECT_EQ(check.status == dgd::Status::kSeparated, there.lower_bound > 1);
+        EXPECT_EQ(check.status == dgd::Status::kColliding, there.upper_bound < 1);
+      }
+      const auto distance = dgd::SignedDistance(a.set, pose_a, b.set, pose_b, there);
+      EXPECT_GE(distance.separation, there.separation - 1e-9);
+      EXPECT_NEAR(distance.separation, SeparationAlong(distance.normal, a.set, pose_a, b.set, pose_b), 1e-9);
+    }
+  }
+}
+
+// The templates, compiled for the very types here, take the same steps.
+TEST_F(AnySetTest, BoxesAndCylinders_GiveWhatTheTemplatesGive) {
+  const RoundedSet box{dgd::Box<double>({0.5, 0.3, 0.2}), 0.01};
+  const RoundedSet cylinder{dgd::Cylinder<double>(0.3, 0.5)};
+  for (int i = 0; i < 100; ++i) {
+    const Pose pose_1 = RandomPose(0.3), pose_2 = RandomPose(0.8);
+    const auto compiled = dgd::GrowthDistance(AnySet(box), pose_1, AnySet(cylinder), pose_2);
+    const auto typed = dgd::GrowthDistance(box, pose_1, cylinder, pose_2);
+    EXPECT_EQ(compiled.status, typed.status);
+    EXPECT_EQ(compiled.iterations, typed.iterations);
+    EXPECT_NEAR(compiled.upper_bound, typed.upper_bound, 1e-12 * typed.upper_bound);
+    EXPECT_NEAR((compiled.normal - typed.normal).norm(), 0, 1e-12);
+  }
+}
+
+TEST_F(AnySetTest, WarmStartAndDistanceOfTheLastFrame_GoOn) {
+  const AnySet box = RoundedSet{dgd::Box<double>({0.5, 0.5, 0.5}), 0.05}, capsule = dgd::Capsule(0.1, 0.4);
+  Pose pose_1, pose_2;
+  pose_2.translation = {0.1, 0, 1.2};
+  dgd::WarmStart<double> state, next;
+  const auto growth = dgd::GrowthDistance(box, pose_1, capsule, pose_2, {}, &state);
+  const auto distance = dgd::SignedDistance(box, pose_1, capsule, pose_2, growth, &state, {}, &next);
+  EXPECT_NEAR(distance.separation, 0.15, 1e-12);
+  pose_2.translation.z() = 1.1;
+  const auto followed = dgd::FollowDistance(box, pose_1, capsule, pose_2, {}, next);
+  EXPECT_EQ(followed.status, dgd::Status::kOptimal);
+  EXPECT_NEAR(followed.separation, 0.05, 1e-12);
+}
+
+// What a custom core's values are worth bounds what is asked for: else a query would not end.
+TEST_F(AnySetTest, CustomCore_IsAskedForNoMoreThanItsAccuracy) {
+  const dgd::Box<double> box({0.5, 0.5, 0.5});
+  const auto in_float = [](const void* object, const Vector3& direction) -> dgd::SupportPoint<double> {
+    const Vector3 point = static_cast<const dgd::Box<double>*>(object)->Support(direction).point;
+    return {(point + 1e-7 * direction.normalized().cwiseProduct(direction.normalized())).cast<float>().cast<double>()};
+  };
+  const AnySet custom = RoundedSet{dgd::CustomCore(&box, in_float, Vector3::Zero(), 0.5, 1e-6)};
+  EXPECT_EQ(custom.Accuracy(), 1e-6);
+  EXPECT_TRUE(custom.IsCustom());
+  for (int i = 0; i < 50; ++i) {
+    const Pose pose_2 = RandomPose(1);
+    const auto result =
+        dgd::GrowthDistance(custom, Pose(), dgd::AnySet(dgd::Sphere(0.3)), pose_2, {.relative_tolerance = 1e-12});
+    EXPECT_EQ(result.status, dgd::Status::kOptimal);
+    EXPECT_LE(result.RelativeGap(), 1.01e-6);
+  }
+}
+
+TEST_F(AnySetTest, NotANumberInAPose_IsInvalidInput) {
+  Pose broken;
+  broken.translation.x() = std::numeric_limits<double>::quiet_NaN();
+  for (const NamedSet& a : MakeSets()) {
+    const AnySet ball = dgd::Sphere(0.3);
+    EXPECT_EQ(dgd::GrowthDistance(a.set, broken, ball, Pose()).status, dgd::Status::kInvalidInput) << a.name;
+    EXPECT_EQ(dgd::GrowthDistance(ball, Pose(), a.set, broken).status, dgd::Status::kInvalidInput) << a.name;
+  }
+}
+
+TEST_F(AnySetTest, MovingSets_TouchWhenTheyDo) {
+  const AnySet rod = RoundedSet{dgd::Box<double>({1, 0.05, 0.05}), 0.05}, ball = dgd::Sphere(0.2);
+  dgd::Motion<double> motion, rest;
+  motion.translation = {0, 1, 0};
+  rest.start.translation = {0, 0.8, 0};
+  for (const bool is_swapped : {false, true}) {
+    const auto impact =
+        is_swapped ? dgd::TimeOfImpact(ball, rest, rod, motion) : dgd::TimeOfImpact(rod, motion, ball, rest);
+    EXPECT_EQ(impact.status, dgd::Status::kTouching);
+    EXPECT_NEAR(impact.time, 0.5, 1e-9);
+  }
+}
+
+TEST_F(AnySetTest, FacesOnAHalfSpaceAndOnABox_AreFound) {
+  const AnySet box = RoundedSet{dgd::Box<double>({0.5, 0.5, 0.5})};
+  Pose above;
+  above.translation.z() = 0.6;
+  const dgd::HalfSpace<double> ground;
+  const auto height = dgd::GrowthDistance(box, above, ground, Pose());
+  EXPECT_NEAR(height.separation, 0.1, 1e-15);
+  EXPECT_EQ(dgd::FindFacingFaces(box, above, ground, height).overlap.size, 4);
+
+  above.translation.z() = 1.1;
+  dgd::FacingFaces<double> facing;
+  const auto growth = dgd::GrowthDistance(box, Pose(), box, above);
+  dgd::FindFacingFaces(box, Pose(), box, above, growth, 0.1, facing);
+  EXPECT_EQ(facing.overlap.size, 4);
+  EXPECT_TRUE(facing.is_across_1 && facing.is_across_2);
+
+  dgd::WarmStart<double> state;
+  state.normal_1 = growth.normal;
+  const AnySet rounded = RoundedSet{dgd::Box<double>({0.5, 0.5, 0.5}), 0.01};
+  const auto kept = dgd::FollowFace(rounded, Pose(), rounded, above, {}, 0.1, dgd::FaceHolder::kSet1, state, facing);
+  EXPECT_EQ(kept.status, dgd::Status::kOptimal);
+  EXPECT_NEAR(kept.separation, 0.08, 1e-14);
+}
+
+TEST_F(AnySetTest, CentreThatMoves_IsTheOneThatIsScaledAbout) {
+  AnySet plate = RoundedSet{dgd::Box<double>({2, 2, 0.1})};
+  plate.MoveCenterNear({1.5, 0, 1});
+  EXPECT_NEAR((plate.Center() - Vector3(1.5, 0, 0)).norm(), 0, 1e-15);
+  AnySet ball = dgd::Sphere(1.0);
+  ball.MoveCenterNear({1, 1, 1});
+  EXPECT_EQ(ball.Center(), Vector3::Zero().eval());
+}
+
+}  // namespace
+}  // namespace dgd_test
