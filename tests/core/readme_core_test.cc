@@ -104,7 +104,7 @@ TEST(ReadmeCore, SignedDistance_IsBetweenTheNearestPoints) {
 TEST(ReadmeCore, SetsOfAnyShape_AreCheckedInTurn) {
   dgd::Pose<double> link_pose;
   const dgd::Pose<double> obstacle_pose;
-  link_pose.translation = {0, 0, 0.55};
+  link_pose.translation = {0, 0, 0.75};
   int collisions = 0;
 
   const dgd::AnySet link = dgd::Capsule(0.1, 0.4);

@@ -107,7 +107,6 @@ TEST(WarmStart, ArbitraryState_DoesNoHarm) {
     dgd::WarmStart<double> warm_start;
     warm_start.normal_1 = random.Flip() ? random.UnitVector() : Eigen::Vector3d(Eigen::Vector3d::Zero());
     warm_start.size = random.Below(4);
-    warm_start.known_size = random.Below(5);
     for (std::size_t k = 0; k < warm_start.features_1.size(); ++k) {
       const int range = random.Flip() ? 3 : 40;
       warm_start.features_1[k] = static_cast<dgd::VertexId>(random.Below(range));

@@ -147,8 +147,8 @@ struct ConePair {
   }
 };
 
-// 16.4 iterations by measurement, six of them the first walk's; without a second one 20.9.
-TEST(SecondOrderWalk, WhatItLeaves_IsWalkedAgainFromNearby) {
+// 26 iterations by measurement, six of them second-order steps.
+TEST(SecondOrderWalk, WhatItLeaves_IsSolvedByCuttingPlanes) {
   Random random(TestSeed());
   int left = 0, longest = 0;
   double iterations = 0;
@@ -173,7 +173,7 @@ TEST(SecondOrderWalk, WhatItLeaves_IsWalkedAgainFromNearby) {
   }
   std::printf("%d left, %.2f iterations, %d at most\n", left, iterations / left, longest);
   ASSERT_GT(left, 0);
-  EXPECT_LT(iterations / left, 18);
+  EXPECT_LT(iterations / left, 30);
   EXPECT_LT(longest, 60);
 }
 
