@@ -72,6 +72,8 @@ Corner<S> WitnessCorner(const Result<S>& result, const FacingFaces<S>& facing) {
 /// left out.
 template <class S>
 void Reduce(const CornerList<S>& corners, const PatchSettings<S>& settings, CornerList<S>& kept) {
+  DGD_ASSERT(corners.size > 0 && kept.size == 0);
+  DGD_ASSERT(settings.max_points >= 1 && settings.max_points <= ContactPatch<S>::kMaxPoints && settings.spacing >= 0);
   const S spacing_sq = settings.spacing * settings.spacing;
   const auto distance_sq = [](const Corner<S>& a, const Corner<S>& b) {
     return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);

@@ -262,6 +262,7 @@ struct FacingFaces {
   /// @param angular_tolerance  Faces turned away from the normal by more than this count as edges, radians, in
   ///                           (0, pi / 2): seen from aside, their heights lose their digits.
   DGD_FLATTEN DGD_NOINLINE void FindOverlap(S angular_tolerance) {
+    DGD_ASSERT(angular_tolerance > 0 && overlap.size == 0);
     using namespace facing_faces_internal;
     const S min_cosine = std::cos(angular_tolerance);
     const ProjectedFace<S> projected_1(face_1, min_cosine), projected_2(face_2, min_cosine);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "dgd/assert.h"
 #include "dgd/facing_faces.h"
 #include "dgd/inlining.h"
 #include "dgd/query_types.h"
@@ -67,6 +68,7 @@ DGD_FLATTEN SignedDistanceResult<typename Set1::Scalar> FollowFace(const Set1& s
   SignedDistanceResult<S> result;
   result.status = Status::kStalled;
   facing.Clear();
+  DGD_ASSERT(holder != FaceHolder::kNone && angular_tolerance > 0);
   // Cores are asked about directions that are numbers.
   if (!std::isfinite(pose_1.rotation.sum() + pose_2.rotation.sum() + state.normal_1.sum())) return result;
   // The face of the holder that looks where the last normal did, and its own normal: that has no rounding of the steps

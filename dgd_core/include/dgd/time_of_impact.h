@@ -6,6 +6,7 @@
 // finitely many.
 #pragma once
 
+#include "dgd/assert.h"
 #include "dgd/growth_distance.h"
 #include "dgd/motion.h"
 #include "dgd/signed_distance.h"
@@ -84,6 +85,7 @@ TimeOfImpactResult<typename Set1::Scalar> TimeOfImpact(const Set1& set_1, const 
                                                        const SweepSettings<typename Set1::Scalar>& settings,
                                                        Ask&& plane_between) {
   using S = typename Set1::Scalar;
+  DGD_ASSERT(settings.tolerance > 0 && settings.max_planes >= 1);
   TimeOfImpactResult<S> result;
   if (!motion_1.IsFinite() || !motion_2.IsFinite()) return result;
   PlaneSweep<Set1, Set2> sweep(set_1, motion_1, set_2, motion_2);
@@ -114,6 +116,7 @@ TimeOfImpactResult<typename Set1::Scalar> TimeOfImpact(const Set1& set_1, const 
       result.status = touches ? Status::kTouching : Status::kStalled;
       break;
     }
+    DGD_ASSERT(time > result.time && time < 1);
     result.time = time;
   }
   result.iterations += sweep.Evaluations();

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dgd/assert.h"
 #include "dgd/convex_set.h"
 #include "dgd/distance/nearest_simplex.h"
 #include "dgd/query_types.h"
@@ -55,6 +56,7 @@ class ApartSearch {
 
   /// Leaves the simplex, and the normal, for the next search.
   void Remember(Status status, WarmStart<S>& state) const {
+    DGD_ASSERT(status == Status::kOptimal || status == Status::kSeparated);
     state.normal_1 = normal_in_1_.normalized();  // Rotations in float are not quite orthogonal.
     simplex_.Leave(state);
     if (status == Status::kSeparated) state.size = 0;
@@ -96,6 +98,7 @@ class ApartSearch {
 
   /// Finds the supporting planes along a normal, and keeps them if they are the farthest apart so far.
   Feature Cut(const Point& normal) {
+    DGD_ASSERT(IsUnitOrNan(normal));
     ++iterations_;
     const Point normal_in_1 = pose_1_.rotation.transpose() * normal;
     const Point against_in_2 = pose_2_.rotation.transpose() * -normal;

@@ -36,6 +36,7 @@ class ExpandingPolytope {
   /// @param reach     Of the points from each other, about; metres.
   ExpandingPolytope(const std::array<Feature, 4>& corners, S rounding, S reach)
       : rounding_(rounding), reach_(reach), size_(4) {
+    DGD_ASSERT(!(rounding < 0) && !(reach < 0));
     std::copy(corners.begin(), corners.end(), points_.begin());
     const auto to = [&](std::size_t i) -> Vector3<S> { return points_[i].point - points_[0].point; };
     if (to(1).cross(to(2)).dot(to(3)) > 0) std::swap(points_[0], points_[1]);
@@ -60,6 +61,7 @@ class ExpandingPolytope {
 
   /// A face whose plane is nearest to the origin.
   const Face& Nearest() const {
+    DGD_ASSERT(face_count_ > 0);
     return *std::min_element(faces_.begin(), End(),
                              [](const Face& a, const Face& b) { return a.distance < b.distance; });
   }
@@ -156,6 +158,7 @@ class ExpandingPolytope {
   static std::uint64_t Bit(std::uint8_t point) { return std::uint64_t(1) << point; }
 
   void AddFace(std::uint8_t a, std::uint8_t b, std::uint8_t c) {
+    DGD_ASSERT(a < size_ && b < size_ && c < size_);
     if (face_count_ == kMaxFaces) {
       is_torn_ = true;
       return;

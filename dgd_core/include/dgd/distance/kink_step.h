@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "dgd/assert.h"
 #include "dgd/invert.h"
 #include "dgd/ray/tolerances.h"
 #include "dgd/types.h"
@@ -47,6 +48,7 @@ struct PieceModels {
 template <class S>
 bool StepOnKink(const Vector3<S>& normal, const Eigen::Matrix<S, 2, 3>& tangents, const PieceModels<S>& pieces,
                 Vector3<S>& next) {
+  DGD_ASSERT(pieces.size >= 1 && pieces.size <= pieces.models.size() && IsUnitOrNan(normal));
   const PieceModel<S>& first = pieces[0];
   Vector2<S> gradient = Vector2<S>::Zero();
   SquareMatrix<S, 2> hessian = SquareMatrix<S, 2>::Zero();

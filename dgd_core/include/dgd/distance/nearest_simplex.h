@@ -121,6 +121,7 @@ class NearestSimplex {
       replaced = left_out;
       of_nearest = weights;
     }
+    DGD_ASSERT(size_ == 3 && replaced < 3);
     points_[replaced] = added;
     TakeWeights(of_nearest);
   }
@@ -149,10 +150,18 @@ class NearestSimplex {
   }
   std::size_t Size() const { return size_; }
   /// Convex weight of a point in the nearest one.
-  S Weight(std::size_t i) const { return weights_[i]; }
-  const Feature& operator[](std::size_t i) const { return points_[i]; }
+  S Weight(std::size_t i) const {
+    DGD_ASSERT(i < size_);
+    return weights_[i];
+  }
+  /// @pre i < Size(), or nothing of the point counts but its features as a hint.
+  const Feature& operator[](std::size_t i) const {
+    DGD_ASSERT(i < points_.size());
+    return points_[i];
+  }
   /// Leaves the features of the points for another query.
   void Leave(WarmStart<S>& state) const {
+    DGD_ASSERT(size_ <= state.features_1.size());
     state.size = static_cast<std::int32_t>(size_);
     for (std::size_t i = 0; i < size_; ++i) {
       state.features_1[i] = points_[i].feature_1;

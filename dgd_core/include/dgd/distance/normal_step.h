@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "dgd/assert.h"
 #include "dgd/types.h"
 
 namespace dgd {
@@ -25,6 +26,7 @@ struct NormalStep {
 template <class S>
 NormalStep<S> StepFrom(const Vector3<S>& normal, const Vector3<S>& point, const Eigen::Matrix<S, 2, 3>& tangents,
                        const SquareMatrix<S, 2>& curvature) {
+  DGD_ASSERT(IsUnitOrNan(normal));
   NormalStep<S> result;
   const SquareMatrix<S, 2> hessian = curvature - normal.dot(point) * SquareMatrix<S, 2>::Identity();
   const S determinant = hessian(0, 0) * hessian(1, 1) - hessian(0, 1) * hessian(1, 0);

@@ -27,6 +27,7 @@
 #include <numbers>
 #include <utility>
 
+#include "dgd/assert.h"
 #include "dgd/distance/expanding_polytope.h"
 #include "dgd/distance/kink_step.h"
 #include "dgd/distance/nearest_simplex.h"
@@ -143,6 +144,7 @@ class SignedDistanceSearch {
 
   /// Not inlined: it is called from many places.
   DGD_NOINLINE Feature Cut(const Point& normal) {
+    DGD_ASSERT(IsUnitOrNan(normal));
     ++iterations_;
     const Feature support =
         Shifted(difference_.Support(normal, normal, best_.support.feature_1, best_.support.feature_2));
@@ -157,6 +159,7 @@ class SignedDistanceSearch {
 
   using Tangents = Eigen::Matrix<S, 2, 3>;
   static Tangents TangentsAt(const Point& normal) {
+    DGD_ASSERT(IsUnitOrNan(normal));
     const Matrix3<S> frame = FrameAlong<S>(normal);
     Tangents tangents;
     tangents << frame.col(0).transpose(), frame.col(1).transpose();
@@ -279,6 +282,7 @@ class SignedDistanceSearch {
 
   /// Finds a point of K off the affine hull of the first `size` corners, in one of the directions across that.
   bool FindCorner(std::array<Feature, 4>& corners, std::size_t size) {
+    DGD_ASSERT(size >= 1 && size < 4);
     const Point& a = corners[0].point;
     // Squares of a tiny K's lengths may be no numbers.
     const auto towards = [&](std::size_t i) -> Point { return (corners[i].point - a).stableNormalized(); };
@@ -392,6 +396,7 @@ class SignedDistanceSearch {
   /// approximation is below by the gap.
   /// @param status  How the search ended, unless the bounds agree all the same.
   Status Finish(Status status, const Feature& of_inner) {
+    DGD_ASSERT(IsUnitOrNan(best_.normal));
     foot_ = of_inner;
     if (best_.has_support) {
       const Feature& support = best_.support;

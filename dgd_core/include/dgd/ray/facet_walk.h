@@ -25,6 +25,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "dgd/assert.h"
 #include "dgd/inlining.h"
 #include "dgd/query_types.h"
 #include "dgd/ray/ball_hull.h"
@@ -402,6 +403,7 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
     return apart > 0 && (kEarly == Early::kDecided || apart > settings.separation_limit * normal_.norm());
   }
   End EndApart(const Corner& farthest, S apart) {
+    DGD_ASSERT(apart > 0);
     length_ = normal_.norm();
     apart_ = apart;
     corners_[0] = farthest;
@@ -411,6 +413,7 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
   /// To a triangle beyond the side across from a corner: of the side, and another corner.
   /// @return false if none is found.
   bool StepOver(std::size_t corner) {
+    DGD_ASSERT(corner < 3);
     if constexpr (LinkedCore<typename Set1::Core> && LinkedCore<typename Set2::Core>) {
       if (set_1_.core.IsLinked() && set_2_.core.IsLinked()) return Pivot(corner);
     }
@@ -453,6 +456,7 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
   DGD_FLATTEN DGD_NOINLINE std::optional<End> LeaveByEdge(const Settings<S>& settings) {
     if (!HasVertices() || !IsSound()) return End::kNone;
     const auto beyond = static_cast<std::size_t>(std::ranges::min_element(weights_) - weights_.begin());
+    DGD_ASSERT(beyond < 3);
     const std::size_t a = (beyond + 1) % 3, b = (beyond + 2) % 3;
     const S inradius = set_1_.core.Inradius() + set_2_.core.Inradius();
     const Matrix3<S> frame = FrameAlong<S>(ray_.normalized());
@@ -504,6 +508,7 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
   }
   template <class Core>
   Point Middle(const Core& core, FeatureId Corner::*feature) const {
+    DGD_ASSERT(HasVertices() && is_weighed_);
     Point sum = weights_[0] * core.Vertex(corners_[0].*feature);
     for (std::size_t i = 1; i < 3; ++i) sum += weights_[i] * core.Vertex(corners_[i].*feature);
     return sum;
@@ -528,6 +533,7 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
     } else {
       if (!IsCertain(end)) return false;
       const S support = height_ + rise_;
+      DGD_ASSERT(height_ > 0 && exit_height_ > 0 && length_ > 0);
       result.normal = normal_ / length_;
       result.separation = (along_ - support) / length_;
       result.upper_bound = along_ / exit_height_;
@@ -567,6 +573,7 @@ class FacetWalk : private ray_internal::RayTriangle<typename MinkowskiDifference
   /// A pair that is apart remembers its normal only: the next query tries that first, and needs no basis then.
   void Remember(Status status, const Point& normal, WarmStart<S>& state) const {
     RememberCorners(state);
+    DGD_ASSERT(IsUnitOrNan(normal) && HasVertices());
     state.normal_1 = (pose_1_.rotation.transpose() * normal).normalized();
     state.size = status == Status::kSeparated ? 0 : 3;
   }

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "dgd/assert.h"
 #include "dgd/inlining.h"
 #include "dgd/ray/tolerances.h"
 #include "dgd/ray/triangle_crossing.h"
@@ -93,6 +94,7 @@ bool FacetExit(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c, S 
 /// Offset edge: the cylinder about the segment from a to b.
 template <class S>
 bool EdgeExit(const Vector3<S>& a, const Vector3<S>& b, S rounding, FeatureExit<S, 3>& exit) {
+  DGD_ASSERT(!(rounding < 0));
   const Vector3<S> d = b - a;
   const S lateral_sq = d.x() * d.x() + d.y() * d.y();
   if (!(lateral_sq > 0)) return false;  // Along the ray: its upper end is higher.
@@ -144,6 +146,7 @@ bool FacetExit(const Vector2<S>& a, const Vector2<S>& b, S rounding, FeatureExit
 /// Offset vertex: the ball about a.
 template <class S, int L>
 bool VertexExit(const Vector<S, L>& a, S rounding, FeatureExit<S, L>& exit) {
+  DGD_ASSERT(!(rounding < 0));
   const Vector<S, L - 1> across = a.template head<L - 1>();
   const S half_width_sq = rounding * rounding - across.squaredNorm();
   if (!(half_width_sq > 0)) return false;

@@ -6,6 +6,7 @@
 // or a disc of that one, too.
 #pragma once
 
+#include "dgd/assert.h"
 #include "dgd/ray/minkowski_difference.h"
 #include "dgd/ray/tolerances.h"
 #include "dgd/types.h"
@@ -23,6 +24,7 @@ bool LeavesByDisc(const Difference& difference, const typename Difference::Featu
                   typename Difference::Point& on_1) {
   using S = typename Difference::S;
   using Point = typename Difference::Point;
+  DGD_ASSERT(IsUnitOrNan(normal));
   // What touches the plane, of each set: a disc, or the support point alone.
   const auto touching = [&normal](FlatDisc<S> disc, const Point& point, S radius) {
     constexpr S kSameWay = 4 * kEpsilon<S>;

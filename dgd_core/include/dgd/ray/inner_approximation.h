@@ -33,6 +33,7 @@
 #include <limits>
 #include <utility>
 
+#include "dgd/assert.h"
 #include "dgd/inlining.h"
 #include "dgd/ray/feature_exit.h"
 #include "dgd/ray/minkowski_difference.h"
@@ -54,6 +55,7 @@ class InnerApproximation {
 
   /// Starts at the difference of the centres, which belongs to the cores' difference: for rounding > 0.
   static InnerApproximation FromCenter(S rounding) {
+    DGD_ASSERT(rounding > 0);
     InnerApproximation approximation;
     approximation.rounding_ = rounding;
     approximation.size_ = 1;
@@ -66,6 +68,7 @@ class InnerApproximation {
   /// inner-approximation-initialization). Set 1 contributes `share_1` of each point. With a radius, `rounding`,
   /// this takes hulls 6 % fewer directions than the centre does: a facet is there from the first step on.
   static InnerApproximation FromInradius(S inradius, S share_1, S rounding = 0) {
+    DGD_ASSERT(!(inradius < 0) && !(rounding < 0));
     // The ray crosses the facet's middle half way up the ball, and its corners are on the ball.
     constexpr S kSine = ray_internal::kSineOfThirdTurn<S>;
     const S height = inradius / 2;
@@ -96,6 +99,7 @@ class InnerApproximation {
   /// @return whether the approximation changed; its height never falls. False also where rounding leaves no feature.
   bool Insert(const DifferencePoint<S, L>& added, S ceiling = std::numeric_limits<S>::infinity()) {
     ceiling_ = ceiling;
+    DGD_ASSERT(size_ >= 1 && size_ <= L);
     return rounding_ > 0 ? InsertRounded(added) : InsertSharp(added);
   }
 
@@ -128,10 +132,16 @@ class InnerApproximation {
   /// The normal's, of any length: a search for a vertex need not wait for the square root.
   const Point& Direction() const { return direction_; }
   /// Points of the feature, Size() of them, counterclockwise about the ray if three.
-  const DifferencePoint<S, L>& operator[](int i) const { return points_[static_cast<std::size_t>(i)]; }
+  const DifferencePoint<S, L>& operator[](int i) const {
+    DGD_ASSERT(i >= 0 && i < size_);
+    return points_[static_cast<std::size_t>(i)];
+  }
   int Size() const { return size_; }
   /// Convex weights of those points, whose combination is the feature's point under the exit.
-  S Weight(int i) const { return weights_[static_cast<std::size_t>(i)]; }
+  S Weight(int i) const {
+    DGD_ASSERT(i >= 0 && i < size_);
+    return weights_[static_cast<std::size_t>(i)];
+  }
 
   /// The cores' points whose difference is the feature's point under the exit: convex combinations (eq.
   /// primal-optimal).
@@ -430,11 +440,13 @@ class InnerApproximation {
   void AdoptExit(const Candidate& candidate) {
     size_ = candidate.size;
     normal_ = candidate.normal;
+    DGD_ASSERT(size_ >= 1 && size_ <= L && IsUnitOrNan(normal_));
     direction_ = candidate.direction;
     AdoptHeight(candidate.height, candidate.is_rough);
   }
 
   void AdoptHeight(S height, bool is_rough) {
+    DGD_ASSERT(!std::isnan(height));
     height_ = std::max(height_, std::min(height, ceiling_));
     is_rough_ = is_rough || height_ != height;
   }

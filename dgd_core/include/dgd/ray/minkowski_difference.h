@@ -10,6 +10,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "dgd/assert.h"
 #include "dgd/convex_set.h"
 #include "dgd/inlining.h"
 #include "dgd/ray/tolerances.h"
@@ -130,6 +131,7 @@ class MinkowskiDifference {
     frame_ = length_ > kCoincidence<S> * inradius_ ? FrameAlong<S>(Point(p / length_)) : Matrix::Identity();
     to_frame_1_.noalias() = frame_.transpose() * pose_1.rotation;
     to_frame_2_.noalias() = frame_.transpose() * pose_2.rotation;
+    DGD_ASSERT(IsUnitOrNan(frame_.col(L - 1)));
     rounding_ = keep_radius_apart && radius > kMinRounding<S> * core_inradius ? radius : 0;
     inflation_1_ = rounding_ > 0 ? 0 : set_1.radius;
     inflation_2_ = rounding_ > 0 ? 0 : set_2.radius;
@@ -180,6 +182,7 @@ class MinkowskiDifference {
   ///                        them; any will do.
   DifferencePoint<S, L> Support(const Point& direction, const Point& normal, FeatureId hint_1 = kNoFeature,
                                 FeatureId hint_2 = kNoFeature) const {
+    DGD_ASSERT(IsUnitOrNan(normal));
     return Difference(SupportNear(set_1_.core, Point(to_frame_1_.transpose() * direction), hint_1),
                       SupportNear(set_2_.core, Point(to_frame_2_.transpose() * -direction), hint_2), normal);
   }
@@ -191,6 +194,7 @@ class MinkowskiDifference {
 
   /// The difference of two vertices that a previous query named.
   DifferencePoint<S, L> FromVertices(VertexId vertex_1, VertexId vertex_2) const requires kIsPolytope {
+    DGD_ASSERT(HasFeatures(vertex_1, vertex_2));
     return Difference({set_1_.core.Vertex(vertex_1), vertex_1}, {set_2_.core.Vertex(vertex_2), vertex_2},
                       Point::Zero());
   }
@@ -217,6 +221,7 @@ class MinkowskiDifference {
   DGD_FLATTEN DGD_NOINLINE CurvedDifferencePoint<S, L> AlongTangents(
       FeatureId feature_1, FeatureId feature_2, const Point& normal,
       const Eigen::Matrix<S, L - 1, L>& tangents) const requires kIsSmooth {
+    DGD_ASSERT(HasFeatures(feature_1, feature_2) && IsUnitOrNan(normal));
     const Eigen::Matrix<S, L - 1, L> across_1 = tangents * to_frame_1_, across_2 = tangents * to_frame_2_;
     const CurvedPoint<S, L> curved_1 = OfFeature(set_1_.core, feature_1, to_frame_1_.transpose() * normal);
     const CurvedPoint<S, L> curved_2 = OfFeature(set_2_.core, feature_2, to_frame_2_.transpose() * -normal);
@@ -320,6 +325,7 @@ class MinkowskiDifference {
   CurvedDifferencePoint<S, L> OnFeaturesAlong(FeatureId feature_1, FeatureId feature_2, const Point& direction,
                                               const Point& direction_1,
                                               const Point& direction_2) const requires kIsSmooth {
+    DGD_ASSERT(HasFeatures(feature_1, feature_2));
     const CurvedPoint<S, L> curved_1 = OfFeature(set_1_.core, feature_1, direction_1);
     const CurvedPoint<S, L> curved_2 = OfFeature(set_2_.core, feature_2, direction_2);
     CurvedDifferencePoint<S, L> curved{CoreDifference({curved_1.point, feature_1}, {curved_2.point, feature_2}),

@@ -3,7 +3,9 @@
 
 #include <limits>
 
+#include "dgd/assert.h"
 #include "dgd/ray/minkowski_difference.h"
+#include "dgd/ray/tolerances.h"
 #include "dgd/types.h"
 
 namespace dgd {
@@ -17,6 +19,7 @@ class OuterApproximation {
   /// better than all before. Eq. (outer-approximation-update): the bound is v / <lambda, p>, here the plane's height.
   /// @param normal  Ray frame, unit length, normal[L - 1] > 0.
   void Cut(const Point& normal, S support_value, const DifferencePoint<S, L>& support) {
+    DGD_ASSERT(IsUnitOrNan(normal) && !(normal[L - 1] <= 0));
     const S height = support_value / normal[L - 1];
     // False for NaN, which then leaves the bounds as they are.
     if (height < height_) {
@@ -29,6 +32,7 @@ class OuterApproximation {
 
   /// Takes the plane whatever it says of the ray: of use where there is no ray, see RayIntersection.
   void Adopt(const Point& normal, S support_value, const DifferencePoint<S, L>& support) {
+    DGD_ASSERT(IsUnitOrNan(normal));
     height_ = support_value;
     normal_ = normal;
     support_value_ = support_value;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "dgd/assert.h"
 #include "dgd/convex_set.h"
 #include "dgd/ray/inner_approximation.h"
 #include "dgd/ray/minkowski_difference.h"
@@ -84,6 +85,7 @@ struct RayTriangle {
 
   /// In any place, after which the normal may have to be turned towards the ray.
   void Replace(std::size_t corner, const Corner& added) {
+    DGD_ASSERT(corner < 3);
     corners_[corner] = added;
     is_weighed_ = false;
     if (NormalOfCorners().dot(ray_) < 0) std::swap(corners_[0], corners_[1]);
@@ -129,6 +131,7 @@ struct RayTriangle {
   /// Finds where the ray meets the plane, by the corners' weights.
   /// @return -1 if it leaves between them, else the corner across the side that it passes beyond.
   int CornerAcross() {
+    DGD_ASSERT(!(along_ < 0) && !(length_sq_ < 0));
     exit_height_ = height_;
     weights_[1] = weights_[2] = 0;
     MoveWeights(ExitFromFirst());

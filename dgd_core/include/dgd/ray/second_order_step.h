@@ -26,6 +26,7 @@
 #include <array>
 #include <cmath>
 
+#include "dgd/assert.h"
 #include "dgd/inlining.h"
 #include "dgd/invert.h"
 #include "dgd/ray/tolerances.h"
@@ -57,6 +58,7 @@ class SecondOrderStep {
   /// @param height    Of the point's plane on the ray.
   /// @param is_plane  Whether the piece stands for that plane alone: the point is one of another direction.
   void Add(const Point& point, const Matrix& derivative, S height, bool is_plane) {
+    DGD_ASSERT(size_ < kMaxPieces);
     Piece& added = pieces_[static_cast<std::size_t>(size_++)];
     added.gradient = point.template head<L - 1>();
     added.height = height;
@@ -74,7 +76,10 @@ class SecondOrderStep {
   }
 
   /// After Solve(): whether the i-th added piece is active.
-  bool IsActive(int i) const { return (active_ >> i & 1U) != 0; }
+  bool IsActive(int i) const {
+    DGD_ASSERT(i >= 0 && i < size_);
+    return (active_ >> i & 1U) != 0;
+  }
   /// After Solve(): the step across the ray, to the direction (u + step, 1).
   const Across& Step() const { return step_; }
 
@@ -116,10 +121,12 @@ class SecondOrderStep {
   /// down, and no other piece is higher there.
   template <bool kIsShared>
   bool IsMinimum(Subset subset) {
+    DGD_ASSERT(MayBeActive(subset) && subset < 1U << size_);
     Members members;
     for (std::size_t i = 0; i < Size(); ++i) {
       if ((subset >> i & 1U) != 0) members.pieces[members.size++] = &pieces_[i];
     }
+    DGD_ASSERT(members.size >= 1 && members.size <= L);
     if (members.size == 1) {
       if (!Minimize(kIsShared ? pieces_[0].hessian : members.pieces[0]->hessian, members)) return false;
     } else {

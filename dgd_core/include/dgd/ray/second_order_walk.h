@@ -20,6 +20,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "dgd/assert.h"
 #include "dgd/inlining.h"
 #include "dgd/query_types.h"
 #include "dgd/ray/flat_face.h"
@@ -197,6 +198,7 @@ class SecondOrderWalk {
       moved = next;
     }
     pieces_[static_cast<std::size_t>(kept++)] = moved;
+    DGD_ASSERT(kept >= 1 && kept <= kMaxPieces);
     size_ = kept;
     if (size_ == 1) RaiseInner(highest_.support.point, highest_.support.on_1);
   }
@@ -222,6 +224,7 @@ class SecondOrderWalk {
     place->at = overshoots_
                     ? highest_
                     : difference_.OnFeatures(highest_.support.feature_1, highest_.support.feature_2, direction_);
+    DGD_ASSERT(size_ <= kMaxPieces && place < pieces_.data() + size_);
     place->height = direction_.dot(place->at.support.point);
     place->is_fixed = overshoots_;
     place->is_active = true;
@@ -354,6 +357,7 @@ class SecondOrderWalk {
 
   /// A point of C beside the ray, and the ball of C about the origin beyond it, hold the ray up to a height between.
   void RaiseInner(const Point& point, const Point& on_1) {
+    DGD_ASSERT(difference_.Inradius() > 0);
     const S inradius = difference_.Inradius();
     const S distance = point.template head<L - 1>().norm();
     const S weight = inradius / (inradius + distance), height = weight * point[L - 1];

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "dgd/assert.h"
 #include "dgd/ray/tolerances.h"
 #include "dgd/ray/triangle_crossing.h"
 #include "dgd/types.h"
@@ -41,6 +42,7 @@ struct SimplexStep {
     outgoing = OutgoingCorner(turns);
     next = outgoing == 2 ? 0 : outgoing + 1;
     last = outgoing == 0 ? 2 : outgoing - 1;
+    DGD_ASSERT(outgoing < 3 && next < 3 && last < 3);
     direction = (*corners[last] - *corners[next]).cross(added - *corners[next]);
     // A triangle that is a line, or one seen edge-on, has no weights to be certain of.
     is_certain = false;

@@ -62,4 +62,11 @@ inline constexpr S kGreatestSize = S(1e73);
 template <>
 inline constexpr float kGreatestSize<float> = 8e7f;
 
+/// Whether a vector has unit length, for assertions. True for NaN, which a query refuses where it ends.
+template <class Vector>
+bool IsUnitOrNan(const Vector& vector) {
+  using S = typename Vector::Scalar;
+  return !(std::abs(vector.squaredNorm() - 1) > 8 * kSqrtEpsilon<S>);
+}
+
 }  // namespace dgd

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "dgd/assert.h"
 #include "dgd/convex_set.h"
 #include "dgd/supporting_face.h"
 
@@ -40,6 +41,7 @@ class Box {
 
   /// Bit i of `corner` is set where coordinate i is negative.
   Vector<S, L> Vertex(VertexId corner) const {
+    DGD_ASSERT(corner < VertexCount());
     Vector<S, L> vertex = half_extents_;
     for (int axis = 0; axis < L; ++axis) {
       if (corner >> axis & 1) vertex[axis] = -vertex[axis];

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dgd/assert.h"
 #include "dgd/convex_set.h"
 #include "dgd/inlining.h"
 #include "dgd/ray/tolerances.h"
@@ -28,6 +29,7 @@ class Ellipsoid {
   }
   /// The one piece is all of it. No derivative, NaN, where A d is 0.
   CurvedPoint<S, L> PieceSupport(FeatureId, const Vector<S, L>& direction) const {
+    DGD_ASSERT(semi_axes_.minCoeff() >= 0);
     const BallPoint ball = OnBall(direction);
     CurvedPoint<S, L> curved;
     curved.point = semi_axes_.cwiseProduct(ball.point);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "dgd/assert.h"
 #include "dgd/convex_set.h"
 #include "dgd/supporting_face.h"
 
@@ -62,7 +63,10 @@ class Triangle {
     center_ = ClosestPointOnTriangle(point, corners_[0], corners_[1], corners_[2]);
   }
 
-  const Vector3<S>& Vertex(VertexId corner) const { return corners_[corner]; }
+  const Vector3<S>& Vertex(VertexId corner) const {
+    DGD_ASSERT(corner < 3);
+    return corners_[corner];
+  }
   VertexId VertexCount() const { return 3; }
 
   /// Largest <direction, x> over the core.

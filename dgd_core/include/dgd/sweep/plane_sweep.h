@@ -21,6 +21,7 @@
 #include <limits>
 #include <numbers>
 
+#include "dgd/assert.h"
 #include "dgd/convex_set.h"
 #include "dgd/motion.h"
 
@@ -95,6 +96,7 @@ class PlaneSweep {
   /// @param normal   Its unit normal from set 1 to set 2, world.
   /// @param nearest  Metres, > 0: the search ends where the separation falls to this.
   S KeepsApartUntil(const Point& normal, S time, S nearest) {
+    DGD_ASSERT(time >= 0 && time <= 1 && nearest > 0);
     Moment from = At(normal, time);
     Moment to = At(normal, 1);
     S latest = 1;          // The earliest time at which the separation is known to be too small, or the end.
