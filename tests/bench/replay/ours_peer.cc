@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "bench/stopwatch.h"
-#include "pair_distance.h"
+#include "pipeline/pair_distance.h"
 
 namespace dgd_bench {
 namespace {
