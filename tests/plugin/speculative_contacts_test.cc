@@ -32,7 +32,7 @@ dgd_bullet::PredictedEncounter Encountering(double height, double edge, const Ve
   const auto still = MakeRigidBody(shape, 0, btTransform::getIdentity());
   const auto moving = MakeRigidBody(shape, 1, btTransform(btQuaternion::getIdentity(), Vec(0.75 - edge, 0, 0.25)));
   moving->setLinearVelocity(Vec(way.x(), way.y(), way.z()));
-  const dgd_bullet::PairMotion motion(dgd_bullet::BodyReach(*still), dgd_bullet::BodyReach(*moving), 1);
+  const dgd_bullet::PairMotion motion(dgd_bullet::BoundedBody(*still), dgd_bullet::BoundedBody(*moving), 1);
 
   dgd::Settings<double> settings;
   dgd::WarmStart<double> warm_start;
@@ -83,7 +83,7 @@ class BallOverTile : public testing::Test {
         MakeRigidBody(shape, 1, btTransform(btQuaternion::getIdentity(), Vec(start_.x(), start_.y(), start_.z())));
     moving->setLinearVelocity(Vec(velocity.x(), velocity.y(), velocity.z()));
     moving->setAngularVelocity(Vec(spin.x(), spin.y(), spin.z()));
-    const dgd_bullet::BodyReach reach_of_tile(*still), reach_of_ball(*moving);
+    const dgd_bullet::BoundedBody reach_of_tile(*still), reach_of_ball(*moving);
     const dgd_bullet::PairMotion motion = is_ball_first ? dgd_bullet::PairMotion(reach_of_ball, reach_of_tile, kTime)
                                                         : dgd_bullet::PairMotion(reach_of_tile, reach_of_ball, kTime);
     dgd_bullet::MovingPair pair =
@@ -137,7 +137,7 @@ bool TurningCubeMeets(double start, double angle, double sinks) {
       MakeRigidBody(shape, 1, btTransform(btQuaternion::getIdentity(), Vec(0, 0, cube.pose.translation.z())));
   moving->setLinearVelocity(Vec(0, 0, -sinks));
   moving->setAngularVelocity(Vec(0, angle, 0));
-  const dgd_bullet::PairMotion motion(dgd_bullet::BodyReach(*moving), dgd_bullet::BodyReach(*still), 1);
+  const dgd_bullet::PairMotion motion(dgd_bullet::BoundedBody(*moving), dgd_bullet::BoundedBody(*still), 1);
   // Its corner is on its way down as fast as the rim turns: along a straight line it would be far below the top.
   const Vector3 corner = cube.pose * Vector3(0.2, 0, -0.2);
   EXPECT_GT(motion.Approach(corner, -Vector3::UnitZ()), 0.02);

@@ -86,6 +86,12 @@ struct Options {
   /// (tests/physics: slide, swing_force, taps, belt, platform, feeder, teleport).
   bool friction_anchors = true;
 
+  /// The contact point that carried most in the last step comes first in its manifold, the others around the patch, as
+  /// Bullet's solver leaves least undone (src/conditioning/point_order.h). Off: a patch's own order, in which points came.
+  /// Physics: points and distances stay the same. Stacks of small boxes and high towers rock and sway less; links of
+  /// multibodies keep their order.
+  bool order_points_by_impulse = true;
+
   /// Bodies that have not moved by more than a thousandth of the breaking threshold (20 micrometres for large ones)
   /// since their contacts were found keep them, at a fifth of the cost; only the distances are made anew. So do bodies
   /// on each other's faces that have moved together: by no more than a twelfth of the threshold against each other, nor

@@ -7,8 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 namespace {
 
 /// As Bullet writes 324: "Bullet 3.24".
@@ -44,5 +43,4 @@ void RequireMatchingBullet(int app_version) {
   }
 }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

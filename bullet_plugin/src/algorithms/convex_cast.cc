@@ -3,8 +3,7 @@
 #include "algorithms/shape_sweep.h"
 #include "shapes/bullet_conversions.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 
 struct ConvexCast::Hulls {
   HullCache cache;
@@ -27,5 +26,4 @@ bool ConvexCast::calcTimeOfImpact(const btTransform& from_a, const btTransform& 
   return true;
 }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

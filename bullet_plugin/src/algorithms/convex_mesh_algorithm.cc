@@ -17,21 +17,21 @@
 #include "algorithms/convex_convex_algorithm.h"
 #include "algorithms/triangle_pairs.h"
 #include "conditioning/just_touching.h"
-#include "pipeline/contact_distance.h"
+#include "dgd/assert.h"
+#include "pipeline/contact_range.h"
 #include "pipeline/contact_reduction.h"
 #include "pipeline/manifold_writer.h"
 #include "pipeline/mesh_contacts.h"
 #include "pipeline/mesh_triangle.h"
-#include "pipeline/pair_contacts.h"
 #include "pipeline/pair_motion.h"
+#include "pipeline/pair_patch.h"
 #include "pipeline/separating_axis.h"
 #include "pipeline/user_query.h"
 #include "record/contact_drawer.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 
-/// What a pair keeps from step to step: algorithms, and memory.
+/// What a pair has from step to step: algorithms, and memory.
 struct MeshStep {
   explicit MeshStep(btDispatcher& dispatcher) : pairs(dispatcher) {}
 
@@ -42,13 +42,13 @@ struct MeshStep {
 
   TrianglePairs pairs;
   MeshContacts contacts;
-  std::vector<ConvexConvexAlgorithm*> algorithms;  // Of the contacts' triangles, or null.
-  PairContacts found;                              // Of the last triangle.
+  std::vector<ConvexConvexAlgorithm*> algorithms;  // The algorithms of the contacts' triangles, or null.
+  PairContacts found;                              // The last triangle's.
 };
 
 namespace {
 
-/// Adds what Bullet's own algorithm finds of a triangle to the mesh's contacts.
+/// Adds what Bullet's own algorithm finds for a triangle to the mesh's contacts.
 class GatheringResult final : public btManifoldResult {
  public:
   GatheringResult(btManifoldResult& output, double contact_distance, int triangle, MeshContacts& contacts)
@@ -82,8 +82,8 @@ class TriangleVisit final : public btTriangleCallback {
                 btManifoldResult& output)
       : convex_(convex),
         mesh_(mesh),
-        convex_reach_(*convex.getCollisionObject()),
-        mesh_reach_(*mesh.getCollisionObject()),
+        bounded_convex_(*convex.getCollisionObject()),
+        bounded_mesh_(*mesh.getCollisionObject()),
         info_(info),
         query_(query),
         dispatcher_(dispatcher),
@@ -123,30 +123,30 @@ class TriangleVisit final : public btTriangleCallback {
     const int i = step_.contacts.AddTriangle(corners, part, index);
     step_.algorithms.push_back(nullptr);
     const TriangleBody triangle(step_.contacts.triangle(i), mesh_);
-    if (auto* kept = static_cast<ConvexConvexAlgorithm*>(step_.pairs.Find(part, index))) {
-      step_.algorithms.back() = kept;
-      return AddContacts(*kept, triangle.wrapper(), i);
+    if (auto* cached = static_cast<ConvexConvexAlgorithm*>(step_.pairs.Find(part, index))) {
+      step_.algorithms.back() = cached;
+      return AddContacts(*cached, triangle.wrapper(), i);
     }
-    if (IsBesideItsPlane(triangle)) return;
+    if (IsOutOfPlane(triangle)) return;
     // By the dispatcher's table: an app may have an algorithm of its own for triangles.
     btCollisionAlgorithm* algorithm = dispatcher_.findAlgorithm(
         &convex_, &triangle.wrapper(), output_.getPersistentManifold(), BT_CONTACT_POINT_ALGORITHMS);
     if (algorithm == nullptr) return;
-    const auto give_back = [&](btCollisionAlgorithm* given) { GiveBack(dispatcher_, given); };
-    std::unique_ptr<btCollisionAlgorithm, decltype(give_back)> owner(algorithm, give_back);
+    const auto destroy = [&](btCollisionAlgorithm* owned) { Destroy(dispatcher_, owned); };
+    std::unique_ptr<btCollisionAlgorithm, decltype(destroy)> owner(algorithm, destroy);
     if (auto* ours = dynamic_cast<ConvexConvexAlgorithm*>(algorithm)) {
-      if (step_.pairs.Keep(part, index, ours))
+      if (step_.pairs.Insert(part, index, ours))
         step_.algorithms.back() = static_cast<ConvexConvexAlgorithm*>(owner.release());
       AddContacts(*ours, triangle.wrapper(), i);
     } else {
-      // Which may rely on being new in each step.
+      // An app's own algorithm may rely on being new in each step.
       has_foreign_ = true;
-      const ShownTriangle shown(output_, triangle.wrapper());
+      const BoundTriangle bound(output_, triangle.wrapper());
       algorithm->processCollision(&convex_, &triangle.wrapper(), info_, &output_);
     }
   }
 
-  /// Of all places where the body may touch the mesh within the step.
+  /// Finds the box of all places where the body may touch the mesh within the step.
   void FindBox() {
     const btTransform in_mesh = mesh_.getWorldTransform().inverseTimes(convex_.getWorldTransform());
     convex_.getCollisionShape()->getAabb(in_mesh, low_, high_);
@@ -159,7 +159,7 @@ class TriangleVisit final : public btTriangleCallback {
     for (int axis = 0; axis < 3; ++axis) {
       const Vector3 direction = FromBullet(mesh_.getWorldTransform().getBasis().getColumn(axis));
       const auto way = btScalar(query_.motion.Approach(middle, direction));
-      // Turning about its middle, the body stays in a ball.
+      // Turning about its middle, the body never leaves a ball.
       const btScalar out = margin + btMin(turn * radius, radius - half[axis]);
       low_[axis] += btMin(way, btScalar(0)) - out;
       high_[axis] += btMax(way, btScalar(0)) + out;
@@ -168,47 +168,49 @@ class TriangleVisit final : public btTriangleCallback {
 
   void AddContacts(ConvexConvexAlgorithm& algorithm, const btCollisionObjectWrapper& triangle, int index) {
     PairContacts& found = step_.found;
-    const std::optional<Fallback> failure = algorithm.FindTriangleContacts(convex_, triangle, query_, found);
-    if (!failure) return step_.contacts.Add(index, found.patch, found.result.normal);
-    if (!IsAnsweredByBullet(*failure)) return;
-    const ShownTriangle shown(output_, triangle);
+    const std::optional<Fallback> failure = algorithm.FindTriangleContacts({convex_, triangle}, query_, found);
+    if (!failure) return step_.contacts.Add(index, found.patch, found.normal);
+    if (!IsSolvedByBullet(*failure)) return;
+    const BoundTriangle bound(output_, triangle);
     GatheringResult result(output_, query_.range.touching, index, step_.contacts);
-    algorithm.FallBack(convex_, triangle, info_, result);
+    algorithm.FallBack({convex_, triangle}, info_, result);
   }
 
   /// The contacts of a triangle along its own normal.
   void AddFaceContacts(int index) {
+    DGD_ASSERT(index >= 0 && static_cast<std::size_t>(index) < step_.algorithms.size());
     ConvexConvexAlgorithm* algorithm = step_.algorithms[static_cast<std::size_t>(index)];
     const Vector3 normal = step_.contacts.NormalOf(index);
     if (algorithm == nullptr || normal.isZero(0)) return;
     const TriangleBody triangle(step_.contacts.triangle(index), mesh_);
-    const FaceContacts found = algorithm->FindTriangleFaceContacts(convex_, triangle.wrapper(), normal, query_);
+    const FaceContacts found = algorithm->FindTriangleFaceContacts({convex_, triangle.wrapper()}, normal, query_);
     step_.contacts.Add(index, found.patch, found.normal, found.way);
   }
 
   /// Whether the convex body is on one side of the triangle's plane and does not come near it in the step.
-  bool IsBesideItsPlane(const TriangleBody& triangle) const {
+  bool IsOutOfPlane(const TriangleBody& triangle) const {
     const btVector3* corners = triangle.shape().m_vertices1;
     const btVector3 area = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
     const btScalar length = area.length();
     if (!(length > 0)) return false;
     const btVector3 normal = mesh_.getWorldTransform().getBasis() * (area / length);
     const auto is_apart = [&](const btVector3& direction) {
-      const double separation = SeparationAlong({convex_, convex_reach_}, {triangle.wrapper(), mesh_reach_}, direction);
+      const double separation =
+          SeparationAlong({convex_, bounded_convex_}, {triangle.wrapper(), bounded_mesh_}, direction);
       return separation > query_.range.touching && !query_.motion.MayApproachBy(separation, FromBullet(direction));
     };
     return is_apart(normal) || is_apart(-normal);
   }
 
   const btCollisionObjectWrapper &convex_, &mesh_;
-  const BodyReach convex_reach_, mesh_reach_;
+  const BoundedBody bounded_convex_, bounded_mesh_;
   const btDispatcherInfo& info_;
   const TriangleQuery& query_;
   btDispatcher& dispatcher_;
   MeshStep& step_;
   btManifoldResult& output_;
   bool has_foreign_ = false, is_out_of_memory_ = false;
-  btVector3 low_, high_;  // Of the convex body's bounding box, in the mesh's frame.
+  btVector3 low_, high_;  // The convex body's bounding box, in the mesh's frame.
 };
 
 }  // namespace
@@ -235,7 +237,7 @@ void ConvexMeshAlgorithm::processCollision(const btCollisionObjectWrapper* body_
   // A body's shape may have been exchanged for one of another type.
   const bool are_ours =
       Narrowphase::HandlesMesh(convex.getCollisionShape()->getShapeType(), mesh.getCollisionShape()->getShapeType());
-  // Where an app asks how far apart bodies are, the triangles have manifolds of their own.
+  // In a query of how far apart bodies are, the triangles have manifolds of their own.
   const bool can_gather =
       are_ours && step_ != nullptr && manifold_ != nullptr && !(output->m_closestPointDistanceThreshold > 0);
   if (can_gather && FindContacts(convex, mesh, info, *output)) return;
@@ -249,21 +251,21 @@ bool ConvexMeshAlgorithm::FindContacts(const btCollisionObjectWrapper& convex, c
   manifold_->setBodies(&body, &ground);
   const Options& options = narrowphase_.options();
   step_->Begin(mesh.getWorldTransform());
-  // Of the triangles; the contacts are written into the pair's own.
+  // The triangles share the manifold; the contacts are written into it as the pair's own.
   const PairManifold shared(manifold_);
-  const bool is_asked = IsAskedByApp(output);
-  const bool follows_motion = narrowphase_.FollowsMotion() && info.m_timeStep > 0 && !is_asked;
+  const bool is_user_query = IsUserQuery(output);
+  const bool uses_motion = narrowphase_.UsesMotion() && info.m_timeStep > 0 && !is_user_query;
   const PairMotion motion =
-      follows_motion ? PairMotion(BodyReach(body), BodyReach(ground), double(info.m_timeStep)) : PairMotion();
+      uses_motion ? PairMotion(BoundedBody(body), BoundedBody(ground), double(info.m_timeStep)) : PairMotion();
   const PairMotion reverse = motion.Reversed();
   const ContactRange range = RangeOfContacts(options, shared, motion, output);
   const TriangleQuery query{.motion = motion,
                             .reverse_motion = reverse,
                             .range = range,
-                            .patch_settings = PatchSettingsOf(options, shared, range, is_asked),
+                            .patch_settings = PatchSettingsOf(options, shared, range, is_user_query),
                             .angular_tolerance = options.angular_tolerance,
                             .flush = NegligibleDistance(shared.BreakingThreshold()),
-                            .is_asked = is_asked};
+                            .is_user_query = is_user_query};
   TriangleVisit visit(convex, mesh, info, query, *m_dispatcher, *step_, output);
   visit.Gather();
   step_->pairs.EndStep();
@@ -285,12 +287,11 @@ void ConvexMeshAlgorithm::Write(const TriangleQuery& query, bool has_foreign, co
                                            btScalar(contact.separation), &step_->contacts.triangle(contact.triangle)};
   }
   const Options& options = narrowphase_.options();
-  // Points of an app's own algorithm cannot be known from ours: none are dropped then.
+  // Points of an app's own algorithm cannot be distinguished from ours: none are dropped then.
   ManifoldUpdate update = ManifoldUpdateOf(options, output);
   update.drop_stale = update.drop_stale && !has_foreign;
   UpdateManifold({chosen.data(), static_cast<std::size_t>(reduced.size)}, query.motion, update, output);
   DrawContacts(*manifold_, info.m_debugDraw);
 }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

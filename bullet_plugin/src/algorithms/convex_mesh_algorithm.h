@@ -1,10 +1,10 @@
 // The algorithm object of a convex shape and a mesh or heightfield: the contacts of all triangles are gathered, and the
-// manifold then holds those of them that count (mesh_contacts.h) and matter most (contact_reduction.h), brought up to
-// date as a pair's of two convex shapes. The triangles' algorithms are kept from step to step (triangle_pairs.h).
+// manifold then has those of them that count (mesh_contacts.h) and matter most (contact_reduction.h), updated as a
+// pair's of two convex shapes. The triangles' algorithms are cached from step to step (triangle_pairs.h).
 //
 // The contract (read from Bullet 3.24, btConvexConcaveCollisionAlgorithm): the pair has one manifold, the convex body
 // first whatever the order of the call; each triangle is a shape of its own with the mesh's margin, in a wrapper that
-// the result is shown in the mesh's place. By that an app's callbacks know it (mesh_triangle.h).
+// the result has in the mesh's place. By that an app's callbacks identify it (mesh_triangle.h).
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btConvexConcaveCollisionAlgorithm.h>
@@ -15,8 +15,7 @@
 #include "dgd/contact_patch.h"
 #include "dgd_bullet/linkage.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 
 struct MeshStep;
 struct TriangleQuery;
@@ -41,13 +40,11 @@ class ConvexMeshAlgorithm final : public btConvexConcaveCollisionAlgorithm {
   void Write(const TriangleQuery& query, bool has_foreign, const btDispatcherInfo& info, btManifoldResult& output);
 
   const Narrowphase& narrowphase_;
-  btPersistentManifold* manifold_ = nullptr;  // The base's.
-  std::unique_ptr<MeshStep> step_;            // None without memory for it.
+  btPersistentManifold* manifold_ = nullptr;  // The base class's.
+  std::unique_ptr<MeshStep> step_;            // Null without memory for it.
 };
 
-// As convex_convex_algorithm.h says of its own.
 static_assert(sizeof(ConvexMeshAlgorithm) <= 184, "must fit Bullet's smallest pool element");
 static_assert(alignof(ConvexMeshAlgorithm) <= 8, "some of Bullet's pools align to 8 bytes only");
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

@@ -3,23 +3,20 @@
 //
 // The contract (read from Bullet 3.24, btConvexPlaneCollisionAlgorithm), besides that of pair_algorithm.h: the manifold
 // has the convex body first whatever the order of the call, so contacts' normals are the plane's; the plane's margin
-// and scaling are not looked at; boxes have sharp edges, other shapes are what Bullet's GJK sees.
+// and scaling have no effect; boxes have sharp edges, other shapes are what Bullet's GJK sees.
 #pragma once
 
 #include <memory>
-#include <optional>
 
 #include "algorithms/pair_algorithm.h"
 #include "dgd_bullet/linkage.h"
 #include "shapes/hull_cache.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 
 class ConvexPlaneAlgorithm final : public PairAlgorithm {
  public:
-  /// @param is_for_step  Whether its contacts are a step's, and may be ahead of the bodies' motion in it.
-  ConvexPlaneAlgorithm(const btCollisionAlgorithmConstructionInfo& info, Narrowphase& narrowphase, bool is_for_step);
+  using PairAlgorithm::PairAlgorithm;
 
   void processCollision(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1,
                         const btDispatcherInfo& info, btManifoldResult* output) override;
@@ -31,19 +28,12 @@ class ConvexPlaneAlgorithm final : public PairAlgorithm {
   }
 
  private:
-  std::optional<Fallback> FindContacts(const Bodies& bodies, const btDispatcherInfo& info,
-                                       btManifoldResult& output) override;
-  bool UpdateRecycledContacts(const Bodies& bodies, double anchor_time_step, btManifoldResult& output) override;
-
-  using PairAlgorithm::Count;
-  void Count(const PairOutcome& outcome, const btCollisionObjectWrapper& convex);
+  PairOutcome RunPipeline(const PairCall& call) override;
 
   std::shared_ptr<const CachedHull> hull_;
 };
 
-// As convex_convex_algorithm.h says of its own.
 static_assert(sizeof(ConvexPlaneAlgorithm) <= 184, "must fit Bullet's smallest pool element");
 static_assert(alignof(ConvexPlaneAlgorithm) <= 8, "some of Bullet's pools align to 8 bytes only");
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

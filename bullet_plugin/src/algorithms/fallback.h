@@ -1,4 +1,4 @@
-// Why a call was not answered by the growth distance, and what is said of it.
+// Why a call was not solved by the growth distance, and the message about it.
 #pragma once
 
 #include <array>
@@ -8,29 +8,27 @@
 #include "dgd_bullet/linkage.h"
 #include "dgd_bullet/statistics.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 
 /// The members of FallbackCounts, in their order.
 enum class Fallback { kNotConverged, kNoInterior, kInvalid, kNoMemory };
 inline constexpr std::size_t kFallbacks = 4;
 
-/// Of a query that is not certified.
+/// The reason of a query whose result is not certified.
 Fallback FallbackOf(dgd::Status status);
 
-/// Whether Bullet's own algorithm has an answer where we have none.
-constexpr bool IsAnsweredByBullet(Fallback fallback) {
+/// Whether Bullet's own algorithm has a result where the solver has none.
+constexpr bool IsSolvedByBullet(Fallback fallback) {
   return fallback == Fallback::kNotConverged || fallback == Fallback::kNoInterior;
 }
 
+/// The counter of a reason.
 std::uint64_t& CountOf(FallbackCounts& counts, Fallback fallback);
 
 /// One line for a log, ended by 0, without a line's end.
 using FallbackMessage = std::array<char, 256>;
 
-/// What happened to a pair of two of Bullet's types of shapes, and that it is told once. Allocates nothing, since
-/// memory may be what is missing.
+/// What happened to a pair of two of Bullet's types of shapes. Allocates nothing, since memory may be what is missing.
 FallbackMessage Describe(Fallback fallback, int type_0, int type_1);
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

@@ -1,5 +1,5 @@
-// Contacts are numbers, in the world and in both bodies' frames: what that takes, and Bullet's own algorithm held to it
-// where it answers in this one's place.
+// Contacts are finite numbers, in the world and in both bodies' frames: when that is so, and a filter for the contacts
+// of Bullet's own algorithm.
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
@@ -9,27 +9,26 @@
 
 #include "dgd_bullet/linkage.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 
-/// What Bullet makes of a contact are products of two lengths: in float, of 1e19 m they would be infinite. False for
-/// NaN.
-inline bool IsSomewhere(const btVector3& point) { return point.absolute().dot({1, 1, 1}) <= btScalar(1e15); }
+/// Whether Bullet can compute with a place. It multiplies two lengths: in float, the product of 1e19 m would be
+/// infinite. False for NaN.
+inline bool IsRepresentable(const btVector3& point) { return point.absolute().dot({1, 1, 1}) <= btScalar(1e15); }
 
-/// Whether a contact is.
-inline bool IsSomewhere(const btVector3& point, btScalar separation) {
-  return IsSomewhere(point) && IsSomewhere({separation, 0, 0});
+/// Whether Bullet can compute with a contact.
+inline bool IsRepresentable(const btVector3& point, btScalar separation) {
+  return IsRepresentable(point) && IsRepresentable({separation, 0, 0});
 }
 
-/// Whether the bodies are, in whose frames Bullet keeps contacts.
-inline bool AreBodiesSomewhere(const btManifoldResult& output) {
+/// Whether it can compute in the bodies' frames, in which it stores contacts.
+inline bool AreBodiesRepresentable(const btManifoldResult& output) {
   const auto is_near = [](const btCollisionObjectWrapper& body) {
-    return IsSomewhere(body.getCollisionObject()->getWorldTransform().getOrigin());
+    return IsRepresentable(body.getCollisionObject()->getWorldTransform().getOrigin());
   };
   return is_near(*output.getBody0Wrap()) && is_near(*output.getBody1Wrap());
 }
 
-/// Hands on to another result all contacts but those that are nowhere.
+/// Passes on to another result all contacts that Bullet can compute with.
 class FiniteResult final : public btManifoldResult {
  public:
   explicit FiniteResult(btManifoldResult& output)
@@ -41,18 +40,17 @@ class FiniteResult final : public btManifoldResult {
   void setShapeIdentifiersA(int part, int index) override { output_.setShapeIdentifiersA(part, index); }
   void setShapeIdentifiersB(int part, int index) override { output_.setShapeIdentifiersB(part, index); }
   void addContactPoint(const btVector3& normal_on_b, const btVector3& point, btScalar separation) override {
-    const bool has_normal = std::abs(normal_on_b.length2() - 1) <= kOff;
-    if (has_normal && IsSomewhere(point, separation) && AreBodiesSomewhere(*this)) {
+    const bool has_normal = std::abs(normal_on_b.length2() - 1) <= kTolerance;
+    if (has_normal && IsRepresentable(point, separation) && AreBodiesRepresentable(*this)) {
       output_.addContactPoint(normal_on_b, point, separation);
     }
   }
 
  private:
-  /// Of a unit normal's square: float's rounding is far below, and a normal that is none is zero or NaN.
-  static constexpr btScalar kOff = btScalar(0.01);
+  /// Tolerance of a unit normal's square: float's roundoff is far below, and a normal that is none is zero or NaN.
+  static constexpr btScalar kTolerance = btScalar(0.01);
 
   btManifoldResult& output_;
 };
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

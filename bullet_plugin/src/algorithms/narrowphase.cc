@@ -18,12 +18,11 @@
 #include "algorithms/convex_plane_algorithm.h"
 #include "algorithms/finite_result.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 namespace {
 
-/// Makes an algorithm in a dispatcher's memory, of which Bullet gives back what it is left with.
-/// @return null without memory: Bullet leaves out the pair then, and asks anew in the next step.
+/// Makes an algorithm in a dispatcher's memory; Bullet frees the memory of algorithms that it owns.
+/// @return null without memory: Bullet leaves out the pair then, and tries again in the next step.
 template <class Algorithm, class... Arguments>
 Algorithm* Make(const btCollisionAlgorithmConstructionInfo& info, Arguments&&... arguments) {
   void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(Algorithm));
@@ -110,8 +109,8 @@ void Narrowphase::CountFallback(const btCollisionShape& shape_0, const btCollisi
 void Narrowphase::FallBack(btDispatcher& dispatcher, const btCollisionObjectWrapper* body_0,
                            const btCollisionObjectWrapper* body_1, const btDispatcherInfo& info,
                            btManifoldResult& output) {
-  // On the stack: where Bullet's pools are full, there is an answer all the same.
-  constexpr int kNoPerturbations = 0, kPointsToPerturb = 3;  // As its CreateFunc has them.
+  // On the stack: where Bullet's pools are full, there is a result all the same.
+  constexpr int kNoPerturbations = 0, kPointsToPerturb = 3;  // The defaults of its CreateFunc.
   const btCollisionAlgorithmConstructionInfo construction(&dispatcher, 0);
   btConvexConvexAlgorithm algorithm(output.getPersistentManifold(), construction, body_0, body_1, &penetration_solver_,
                                     kNoPerturbations, kPointsToPerturb);
@@ -136,5 +135,4 @@ btCollisionAlgorithm* Narrowphase::MeshCreateFunc::CreateCollisionAlgorithm(btCo
   return Make<ConvexMeshAlgorithm>(info, narrowphase, body_0, body_1, is_swapped);
 }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

@@ -1,17 +1,15 @@
-// Has memory bring what will be used soon, while something else is worked on. There may be nothing at the address any
-// more.
+// Prefetching what will be used soon. There may be nothing at the address any more.
 #pragma once
 
 #include <cstddef>
 
 #include "dgd_bullet/linkage.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 
 namespace prefetch_internal {
 
-/// @tparam kToWrite  The processor's instruction is another one.
+/// @tparam kToWrite  Whether to use the processor's instruction for writing.
 template <bool kToWrite>
 void PrefetchLines(const void* begin, std::size_t bytes) {
   constexpr std::size_t kLine = 64;
@@ -22,15 +20,14 @@ void PrefetchLines(const void* begin, std::size_t bytes) {
 
 }  // namespace prefetch_internal
 
-/// What most likely is written to.
+/// Prefetches what will most likely be written to.
 inline void PrefetchToWrite(const void* begin, std::size_t bytes) {
   prefetch_internal::PrefetchLines<true>(begin, bytes);
 }
 
-/// What other threads may read as well.
+/// Prefetches what other threads may read as well.
 inline void PrefetchToRead(const void* begin, std::size_t bytes) {
   prefetch_internal::PrefetchLines<false>(begin, bytes);
 }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

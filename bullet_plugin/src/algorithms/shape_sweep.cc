@@ -7,8 +7,7 @@
 #include "shapes/bullet_conversions.h"
 #include "shapes/shape_adapter.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 namespace {
 
 using Motion = dgd::Motion<double>;
@@ -45,5 +44,4 @@ bool Meet(const dgd::TimeOfImpactResult<double>& result, const MovingShape& a, c
   return result.normal.dot(approach) > 0;
 }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

@@ -11,8 +11,7 @@
 class btConvexShape;
 class btTransform;
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 
 /// A shape and its way.
 struct MovingShape {
@@ -31,5 +30,4 @@ dgd::TimeOfImpactResult<double> SweepShapes(const MovingShape& a, const MovingSh
 /// meet, as in Bullet's own sweeps.
 bool Meet(const dgd::TimeOfImpactResult<double>& result, const MovingShape& a, const MovingShape& b);
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

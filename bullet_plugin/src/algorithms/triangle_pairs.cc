@@ -6,22 +6,24 @@
 #include <algorithm>
 #include <new>
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+#include "dgd/assert.h"
 
-void GiveBack(btDispatcher& dispatcher, btCollisionAlgorithm* algorithm) {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+
+void Destroy(btDispatcher& dispatcher, btCollisionAlgorithm* algorithm) {
   algorithm->~btCollisionAlgorithm();
   dispatcher.freeCollisionAlgorithm(algorithm);
 }
 
 TrianglePairs::~TrianglePairs() {
-  for (const Pair& pair : pairs_) GiveBack(dispatcher_, pair.algorithm);
+  for (const Pair& pair : pairs_) Destroy(dispatcher_, pair.algorithm);
 }
 
 btCollisionAlgorithm* TrianglePairs::Find(int part, int index) {
-  // Of those that were near in the last step and are not any more. A body that leaves more at once is moved by an app.
-  constexpr std::size_t kMostLeft = 32;
-  const std::size_t end = std::min(next_ + kMostLeft, pairs_.size());
+  // Triangles that were near in the last step and are not any more. A body that leaves more at once is moved by an app.
+  constexpr std::size_t kMaxLeft = 32;
+  DGD_ASSERT(next_ <= pairs_.size());
+  const std::size_t end = std::min(next_ + kMaxLeft, pairs_.size());
   for (std::size_t i = next_; i < end; ++i) {
     Pair& pair = pairs_[i];
     if (pair.index != index || pair.part != part) continue;
@@ -32,7 +34,8 @@ btCollisionAlgorithm* TrianglePairs::Find(int part, int index) {
   return nullptr;
 }
 
-bool TrianglePairs::Keep(int part, int index, btCollisionAlgorithm* algorithm) try {
+bool TrianglePairs::Insert(int part, int index, btCollisionAlgorithm* algorithm) try {
+  DGD_ASSERT(algorithm != nullptr && next_ <= pairs_.size());
   pairs_.insert(pairs_.begin() + static_cast<std::ptrdiff_t>(next_), {part, index, algorithm, true});
   ++next_;
   return true;
@@ -48,11 +51,10 @@ void TrianglePairs::EndStep() {
       pair.is_near = false;
       pairs_[kept++] = pair;
     } else {
-      GiveBack(dispatcher_, pair.algorithm);
+      Destroy(dispatcher_, pair.algorithm);
     }
   }
   pairs_.resize(kept);
 }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

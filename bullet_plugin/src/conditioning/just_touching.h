@@ -1,21 +1,20 @@
 // Bodies that touch overlap, for an app that looks.
 //
-// Apps take the sign of a contact's distance for whether two bodies touch. Bullet's own narrowphase meets
-// bodies once they overlap, so that each impact and each rest shows an overlap. Here a body is met ahead of touching,
-// and rests as far from its support as roundoff leaves it. So a contact that this step closes, and a near one that
-// carried something in the last step, is shown as just touching. The solver still gets the gap: it pushes bodies apart
-// by an overlap times the point's error reduction per time step, and a gap is a negative push.
+// Apps take the sign of a contact's distance for whether two bodies touch. Bullet's own narrowphase meets bodies once
+// they overlap, so that each impact and each rest shows an overlap. Here a body is met ahead of touching, and rests as
+// far from its support as roundoff leaves it. So a contact that this step closes, and a near one that carried something
+// in the last step, is shown as just touching. The solver still gets the gap: it pushes bodies apart by an overlap
+// times the point's error reduction per time step, and a gap is a negative push.
 #pragma once
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
 #include "dgd_bullet/linkage.h"
-#include "pipeline/contact_distance.h"
+#include "pipeline/contact_range.h"
 #include "pipeline/pair_motion.h"
 #include "shapes/bullet_conversions.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 
 /// Metres: what Bullet's solver makes of this overlap is below roundoff.
 constexpr btScalar kJustTouching = btScalar(-1e-9);
@@ -58,5 +57,4 @@ inline void ForgetTouching(btPersistentManifold& manifold) {
   }
 }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

@@ -28,8 +28,7 @@
 #include "pipeline/pair_motion.h"
 #include "shapes/bullet_conversions.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 
 /// Metres per second: Bullet's solver lets slower bodies come to rest (btContactSolverInfo's own default).
 constexpr double kSlowestRebound = 0.2;
@@ -74,5 +73,4 @@ inline void PrepareRebound(btManifoldPoint& point, const PairMotion& motion) {
   if (gap > 0) point.m_distance1 = kJustTouching;
 }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

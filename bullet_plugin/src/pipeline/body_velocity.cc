@@ -2,8 +2,7 @@
 
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 namespace {
 
 // Only what Bullet's headers define is called, so that apps without multibodies need not link their code.
@@ -60,5 +59,4 @@ btScalar InverseMassOf(const btMultiBodyLinkCollider& link) {
   return mass > 0 ? 1 / mass : 0;
 }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

@@ -8,8 +8,7 @@
 
 class btMultiBodyLinkCollider;
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 
 /// World frame, metres and radians per second.
 struct BodyVelocity {
@@ -40,5 +39,4 @@ inline BodyVelocity VelocityOf(const btCollisionObject& object) {
   return link == nullptr ? BodyVelocity() : VelocityOf(*link);
 }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

@@ -6,8 +6,7 @@
 
 #include "dgd_bullet/linkage.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 
 inline bool HasFlag(const btCollisionObject& body_0, const btCollisionObject& body_1, int flag) {
   return ((body_0.getCollisionFlags() | body_1.getCollisionFlags()) & flag) != 0;
@@ -43,5 +42,4 @@ class ContactMaterials {
   btScalar damping_ = 0, stiffness_ = 0;
 };
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

@@ -11,8 +11,7 @@
 #include "pipeline/pair_motion.h"
 #include "shapes/bullet_conversions.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 namespace {
 
 /// Cosine of the angle within which normals have one direction: of slopes that steeper surfaces must not displace.
@@ -199,5 +198,4 @@ ReducedContacts ReduceContacts(std::span<MeshContact> contacts, const dgd::Patch
   return Reduction(contacts, settings, motion, manifold).Choose();
 }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

@@ -12,77 +12,21 @@
 
 #include "algorithms/finite_result.h"
 #include "conditioning/friction_anchors.h"
+#include "conditioning/just_touching.h"
+#include "conditioning/point_order.h"
 #include "conditioning/restitution.h"
 #include "dgd/assert.h"
-#include "pipeline/body_velocity.h"
+#include "dgd_bullet/options.h"
 #include "pipeline/contact_materials.h"
+#include "pipeline/continued_contacts.h"
 #include "pipeline/mesh_triangle.h"
 #include "pipeline/user_query.h"
+#include "shapes/shape_adapter.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 namespace {
 
-/// Contacts, and which of the manifold's points they continue.
-class ContinuedContacts {
- public:
-  static constexpr int kNew = -1;
-
-  ContinuedContacts(std::span<const ManifoldContact> contacts, const btPersistentManifold& manifold)
-      : size_(contacts.size()) {
-    const int cached = manifold.getNumContacts();
-    const btTransform& pose_a = manifold.getBody0()->getWorldTransform();
-    const btScalar threshold = manifold.getContactBreakingThreshold();
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      on_a_in_body_[i] = pose_a.invXform(contacts[i].OnA());
-      btScalar nearest_sq = threshold * threshold;
-      int nearest = kNew;
-      for (int j = 0; j < cached; ++j) {
-        if (IsContinued(j)) continue;
-        const btScalar distance_sq = (manifold.getContactPoint(j).m_localPointA - on_a_in_body_[i]).length2();
-        if (!(distance_sq < nearest_sq)) continue;
-        nearest_sq = distance_sq;
-        nearest = j;
-      }
-      continued_[i] = nearest;
-      if (nearest != kNew) is_continued_[static_cast<std::size_t>(nearest)] = true;
-    }
-  }
-
-  /// The manifold's point that a contact continues, or kNew. No two contacts continue the same one.
-  int PointOf(std::size_t contact) const { return continued_[contact]; }
-  bool IsContinued(int point) const { return is_continued_[static_cast<std::size_t>(point)]; }
-  bool IsAnyContinued() const {
-    return std::find(is_continued_.begin(), is_continued_.end(), true) != is_continued_.end();
-  }
-  /// Where a contact is on body A, in A's frame.
-  const btVector3& OnAInBody(std::size_t contact) const { return on_a_in_body_[contact]; }
-
-  /// Drops the manifold's points that no contact continues. If there are contacts and none continues, the first point
-  /// is left for a new one to take its place: a contact that goes on at another point never passes through zero points.
-  /// @return whether it is left.
-  bool DropStale(btPersistentManifold& manifold) {
-    const bool spares_first = size_ > 0 && manifold.getNumContacts() > 0 && !IsAnyContinued();
-    for (int j = manifold.getNumContacts() - 1; j >= (spares_first ? 1 : 0); --j) {
-      if (IsContinued(j)) continue;
-      // Bullet moves the last point into the gap.
-      const int last = manifold.getNumContacts() - 1;
-      manifold.removeContactPoint(j);
-      for (std::size_t i = 0; i < size_; ++i) {
-        if (continued_[i] == last) continued_[i] = j;
-      }
-    }
-    return spares_first;
-  }
-
- private:
-  std::size_t size_;
-  std::array<btVector3, MANIFOLD_CACHE_SIZE> on_a_in_body_;
-  std::array<int, MANIFOLD_CACHE_SIZE> continued_;
-  std::array<bool, MANIFOLD_CACHE_SIZE> is_continued_{};  // By the manifold's points.
-};
-
-/// The names of parts and triangles that a result gives new points, for which Bullet has no other use.
+/// The numbers of parts and triangles that a result gives new points, for which Bullet has no other use.
 class Identifiers : public btManifoldResult {
  public:
   /// @param is_swapped  Whether the manifold's first body is the result's second.
@@ -94,10 +38,10 @@ class Identifiers : public btManifoldResult {
   }
 };
 
-/// As btManifoldResult::addContactPoint() leaves points, new ones and those that it continues.
+/// Writes points as btManifoldResult::addContactPoint() leaves them, new ones and those that it continues.
 class PointWriter {
  public:
-  /// @param anchor_time_step  Seconds, for friction anchors; 0 for none.
+  /// @param anchor_time_step  Seconds, for friction anchors; 0 without them.
   PointWriter(btScalar anchor_time_step, btManifoldResult& output)
       : output_(output),
         manifold_(*output.getPersistentManifold()),
@@ -106,32 +50,33 @@ class PointWriter {
         pose_b_(manifold_.getBody1()->getWorldTransform()),
         anchors_(manifold_, anchor_time_step),
         materials_(*WrapperA().getCollisionObject(), *WrapperB().getCollisionObject()),
-        is_seen_by_app_(gContactAddedCallback != nullptr &&
-                        HasFlag(*WrapperA().getCollisionObject(), *WrapperB().getCollisionObject(),
-                                btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK)) {}
+        is_user_callback_(gContactAddedCallback != nullptr &&
+                          HasFlag(*WrapperA().getCollisionObject(), *WrapperB().getCollisionObject(),
+                                  btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK)) {}
 
-  void Renew(const ManifoldContact& contact, const btVector3& on_a_in_body, btManifoldPoint& point) {
-    const bool is_held = anchors_.CanHold(point);
-    const btVector3 slip = is_held ? anchors_.SlipOf(point) : btVector3(0, 0, 0);
+  void Update(const ManifoldContact& contact, const btVector3& on_a_in_body, btManifoldPoint& point) {
+    const bool is_anchored = anchors_.CanAnchor(point);
+    const btVector3 slip = is_anchored ? anchors_.SlipOf(point) : btVector3(0, 0, 0);
     Fill(contact, on_a_in_body, point);
-    // What only an app's callbacks set.
+    // Only an app's callbacks set these.
     point.m_contactPointFlags = 0;
     point.m_contactMotion1 = point.m_contactMotion2 = 0;
     point.m_contactCFM = point.m_contactERP = point.m_frictionCFM = 0;
     materials_.ApplyTo(point);
     Show(contact, point);
-    if (is_held) anchors_.Hold(point, slip);
+    if (is_anchored) anchors_.Anchor(point, slip);
   }
 
-  /// @param place  Of a stale point, or the number of points.
+  /// @param place  Index of a stale point, or the number of points.
   void Add(const ManifoldContact& contact, const btVector3& on_a_in_body, int place) {
     btManifoldPoint point(on_a_in_body, {}, contact.normal_on_b, contact.separation);
     Fill(contact, on_a_in_body, point);
     Identifiers::Apply(output_, is_swapped_, point);
     materials_.ApplyTo(point);
+    DGD_ASSERT(place >= 0 && place <= manifold_.getNumContacts() && place < MANIFOLD_CACHE_SIZE);
     const bool is_first = manifold_.getNumContacts() == 0;
     if (place == manifold_.getNumContacts()) {
-      // As Bullet's own: so the distance may be above the breaking threshold.
+      // Bullet's predictive contacts may be farther apart than the breaking threshold.
       constexpr bool kIsPredictive = true;
       manifold_.addManifoldPoint(point, kIsPredictive);
     } else {
@@ -150,8 +95,10 @@ class PointWriter {
     return is_swapped_ ? *output_.getBody0Wrap() : *output_.getBody1Wrap();
   }
 
+  /// Sets the geometry of a point.
   void Fill(const ManifoldContact& contact, const btVector3& on_a_in_body, btManifoldPoint& point) {
-    // Most often all contacts of a manifold have one normal.
+    DGD_ASSERT(std::abs(contact.normal_on_b.length2() - 1) <= btScalar(1e-3));
+    // Mostly, all contacts of a manifold have the same normal.
     if (!(contact.normal_on_b == normal_)) {
       normal_ = contact.normal_on_b;
       btPlaneSpace1(normal_, lateral_1_, lateral_2_);
@@ -166,16 +113,16 @@ class PointWriter {
     point.m_distance1 = contact.separation;
   }
 
-  /// Names the point's triangle, and has an app's callback see it.
+  /// Sets the point's triangle, and calls an app's callback.
   void Show(const ManifoldContact& contact, btManifoldPoint& point) const {
     if (contact.triangle == nullptr) {
-      if (is_seen_by_app_) Call(WrapperA(), WrapperB(), point);
+      if (is_user_callback_) Call(WrapperA(), WrapperB(), point);
       return;
     }
     // A mesh is the second body in either order of the call.
     point.m_partId1 = contact.triangle->part;
     point.m_index1 = contact.triangle->index;
-    if (!is_seen_by_app_) return;
+    if (!is_user_callback_) return;
     const TriangleBody triangle(*contact.triangle, WrapperB());
     Call(WrapperA(), triangle.wrapper(), point);
   }
@@ -183,7 +130,7 @@ class PointWriter {
   void Call(const btCollisionObjectWrapper& a, const btCollisionObjectWrapper& b, btManifoldPoint& point) const {
     const btScalar distance = point.m_distance1;
     gContactAddedCallback(point, &a, point.m_partId0, point.m_index0, &b, point.m_partId1, point.m_index1);
-    // As by Bullet's refresh, which comes after the callbacks: the distance is that of the point's places.
+    // Bullet's refresh, which comes after the callbacks, makes the distance that of the point's places.
     if (point.m_distance1 == distance) return;
     point.m_distance1 = (pose_a_(point.m_localPointA) - pose_b_(point.m_localPointB)).dot(point.m_normalWorldOnB);
   }
@@ -191,11 +138,13 @@ class PointWriter {
   btManifoldResult& output_;
   btPersistentManifold& manifold_;
   const bool is_swapped_;
-  const btTransform &pose_a_, &pose_b_;  // Of the bodies, in whose frames the points are.
+  const btTransform &pose_a_,
+      &pose_b_;  // The bodies' poses, in whose frames the points are.
   const FrictionAnchors anchors_;
   const ContactMaterials materials_;
-  const bool is_seen_by_app_;
-  btVector3 normal_{0, 0, 0}, lateral_1_, lateral_2_;  // Of the last contact.
+  const bool is_user_callback_;
+  btVector3 normal_{0, 0, 0}, lateral_1_,
+      lateral_2_;  // Directions of the last contact.
 };
 
 /// Bullet refuses points beyond the breaking threshold: speculative ones need it raised until they have passed.
@@ -208,7 +157,7 @@ class RaisedThreshold {
   RaisedThreshold& operator=(const RaisedThreshold&) = delete;
 
   void Admit(btScalar separation) {
-    // Rounding to float must not put the point beyond its own threshold, nor its distance after a refresh.
+    // Roundoff must not put the point beyond its own threshold, nor its distance after a refresh.
     constexpr btScalar kSlack = btScalar(1.001);
     if (separation * kSlack > manifold_.getContactBreakingThreshold()) {
       manifold_.setContactBreakingThreshold(separation * kSlack);
@@ -224,32 +173,32 @@ void WriteInPlace(std::span<const ManifoldContact> contacts, btScalar anchor_tim
   DGD_ASSERT(contacts.size() <= MANIFOLD_CACHE_SIZE);
   btPersistentManifold& manifold = *output.getPersistentManifold();
   ContinuedContacts continued(contacts, manifold);
-  bool has_spare = continued.DropStale(manifold);
-  PointWriter writer(contacts.size() >= std::size_t{kFewestAnchors} ? anchor_time_step : 0, output);
+  bool has_stale = continued.DropStale(manifold);
+  PointWriter writer(contacts.size() >= std::size_t{kMinAnchors} ? anchor_time_step : 0, output);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const int point = continued.PointOf(i);
     if (point != ContinuedContacts::kNew) {
-      writer.Renew(contacts[i], continued.OnAInBody(i), manifold.getContactPoint(point));
+      writer.Update(contacts[i], continued.OnAInBody(i), manifold.getContactPoint(point));
     } else {
-      writer.Add(contacts[i], continued.OnAInBody(i), has_spare ? 0 : manifold.getNumContacts());
-      has_spare = false;
+      writer.Add(contacts[i], continued.OnAInBody(i), has_stale ? 0 : manifold.getNumContacts());
+      has_stale = false;
     }
   }
   CountStep(manifold);
 }
 
-/// Adds contacts as Bullet does, which keeps the points that they continue.
+/// Adds contacts through addContactPoint(), which updates the points that they continue.
 void AddThroughBullet(std::span<const ManifoldContact> contacts, btManifoldResult& output) {
-  if (!AreBodiesSomewhere(output)) return;
+  if (!AreBodiesRepresentable(output)) return;
   const btCollisionObjectWrapper* mesh = output.getBody0Wrap();
   if (mesh->getCollisionObject() != output.getPersistentManifold()->getBody1()) mesh = output.getBody1Wrap();
   for (const ManifoldContact& contact : contacts) {
-    if (!IsSomewhere(contact.on_b, contact.separation)) continue;
+    if (!IsRepresentable(contact.on_b, contact.separation)) continue;
     if (contact.triangle == nullptr) {
       output.addContactPoint(contact.normal_on_b, contact.on_b, contact.separation);
     } else {
       const TriangleBody triangle(*contact.triangle, *mesh);
-      const ShownTriangle shown(output, triangle.wrapper());
+      const BoundTriangle bound(output, triangle.wrapper());
       output.addContactPoint(contact.normal_on_b, contact.on_b, contact.separation);
     }
   }
@@ -257,15 +206,15 @@ void AddThroughBullet(std::span<const ManifoldContact> contacts, btManifoldResul
 
 void WriteThroughBullet(std::span<const ManifoldContact> contacts, bool drop_stale, btManifoldResult& output) {
   btPersistentManifold& manifold = *output.getPersistentManifold();
-  std::optional<btVector3> spare;
+  std::optional<btVector3> stale;
   if (drop_stale && ContinuedContacts(contacts, manifold).DropStale(manifold)) {
-    spare = manifold.getContactPoint(0).m_localPointA;
+    stale = manifold.getContactPoint(0).m_localPointA;
   }
   RaisedThreshold threshold(manifold);
   for (const ManifoldContact& contact : contacts) threshold.Admit(contact.separation);
   AddThroughBullet(contacts, output);
   const int last = manifold.getNumContacts() - 1;
-  if (spare && last > 0 && manifold.getContactPoint(0).m_localPointA == *spare) {
+  if (stale && last > 0 && manifold.getContactPoint(0).m_localPointA == *stale) {
     for (int i = 0; i < last; ++i) std::swap(manifold.getContactPoint(i), manifold.getContactPoint(i + 1));
     manifold.removeContactPoint(last);
   }
@@ -273,7 +222,7 @@ void WriteThroughBullet(std::span<const ManifoldContact> contacts, bool drop_sta
   DropPointsNotFinite(manifold);
 }
 
-/// A patch in Bullet's numbers.
+/// A patch in Bullet's precision.
 class BulletPatch {
  public:
   BulletPatch(const dgd::ContactPatch<double>& patch, const Vector3& normal)
@@ -292,41 +241,27 @@ class BulletPatch {
   std::array<ManifoldContact, dgd::ContactPatch<double>::kMaxPoints> contacts_;
 };
 
-bool AreSomewhere(std::span<const ManifoldContact> contacts) {
+bool AreRepresentable(std::span<const ManifoldContact> contacts) {
   return std::all_of(contacts.begin(), contacts.end(),
-                     [](const ManifoldContact& contact) { return IsSomewhere(contact.on_b, contact.separation); });
+                     [](const ManifoldContact& contact) { return IsRepresentable(contact.on_b, contact.separation); });
 }
 
-/// An app's own result has its own way with contacts, and Bullet has with points that it anchors.
-bool HasOwnWay(const btManifoldResult& output) {
-  return IsAskedByApp(output) ||
+/// Whether points must pass through Bullet: a user's own result does what it likes with contacts, and Bullet anchors
+/// the points of some bodies itself.
+bool NeedsBulletPath(const btManifoldResult& output) {
+  return IsUserQuery(output) ||
          HasFlag(*output.getBody0Internal(), *output.getBody1Internal(), btCollisionObject::CF_HAS_FRICTION_ANCHOR);
 }
 
 }  // namespace
 
-void OrderForSolver(btPersistentManifold& manifold) {
-  // Of nearly equal impulses the order is kept: changing it from step to step makes bodies at rest tremble. With 1.2,
-  // stacks of small boxes creep half as far again; with 2, a tower of twenty sways by half as much again.
-  constexpr btScalar kMore = btScalar(1.5);
-  const int count = manifold.getNumContacts();
-  if (count < 2 || AsLink(*manifold.getBody0()) != nullptr || AsLink(*manifold.getBody1()) != nullptr) return;
-  btManifoldPoint& first = manifold.getContactPoint(0);
-  for (int i = 1; i < count; ++i) {
-    btManifoldPoint& point = manifold.getContactPoint(i);
-    if (point.m_appliedImpulse > kMore * first.m_appliedImpulse) std::swap(point, first);
-  }
-  if (!(first.m_appliedImpulse > 0)) return;  // An impact is shared best by opposite points first, as a patch has them.
-  const auto is_before = [&first](const btManifoldPoint& point, const btManifoldPoint& other) {
-    const btVector3 &origin = first.m_positionWorldOnB, &normal = first.m_normalWorldOnB;
-    return (point.m_positionWorldOnB - origin).cross(other.m_positionWorldOnB - origin).dot(normal) > 0;
-  };
-  // By insertion: most often they are in order already.
-  for (int i = 2; i < count; ++i) {
-    for (int j = i; j > 1 && is_before(manifold.getContactPoint(j), manifold.getContactPoint(j - 1)); --j) {
-      std::swap(manifold.getContactPoint(j), manifold.getContactPoint(j - 1));
-    }
-  }
+ManifoldUpdate ManifoldUpdateOf(const Options& options, const btManifoldResult& output) {
+  // A shape without faces has one contact a step: as with Bullet's own narrowphase, a patch comes together in steps.
+  const bool has_patch = options.contact_patch && ShowsFaces(*output.getBody0Wrap()->getCollisionShape()) &&
+                         ShowsFaces(*output.getBody1Wrap()->getCollisionShape());
+  return {.drop_stale = has_patch,
+          .use_friction_anchors = options.friction_anchors,
+          .order_by_impulse = options.order_points_by_impulse};
 }
 
 void WritePatch(const dgd::ContactPatch<double>& patch, const Vector3& normal, btManifoldResult& output) {
@@ -342,14 +277,14 @@ void UpdateManifold(std::span<const ManifoldContact> contacts, const PairMotion&
                     btManifoldResult& output) {
   btPersistentManifold& manifold = *output.getPersistentManifold();
   const bool was_loaded = IsLoaded(manifold);
-  if (update.drop_stale && !HasOwnWay(output) && AreSomewhere(contacts) && AreBodiesSomewhere(output)) {
-    WriteInPlace(contacts, update.hold_stuck ? btScalar(motion.TimeStep()) : 0, output);
+  if (update.drop_stale && !NeedsBulletPath(output) && AreRepresentable(contacts) && AreBodiesRepresentable(output)) {
+    WriteInPlace(contacts, update.use_friction_anchors ? btScalar(motion.TimeStep()) : 0, output);
   } else {
     WriteThroughBullet(contacts, update.drop_stale, output);
   }
   for (int i = 0; i < manifold.getNumContacts(); ++i) PrepareRebound(manifold.getContactPoint(i), motion);
   ShowTouching(manifold, was_loaded, motion);
-  OrderForSolver(manifold);
+  if (update.order_by_impulse) OrderByImpulse(manifold);
 }
 
 void CountStep(btPersistentManifold& manifold) {
@@ -368,5 +303,4 @@ void DropPointsNotFinite(btPersistentManifold& manifold) {
   }
 }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

@@ -6,8 +6,7 @@
 
 #include "shapes/bullet_conversions.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 namespace {
 
 /// Sine of the angle within which directions count as one: above the rounding of normals and of flat meshes, far below
@@ -15,8 +14,8 @@ namespace {
 constexpr double kMaxSine = 1e-4;
 
 /// Least cosine to its triangle's normal of a ghost that is turned to the triangle's face: about 11 degrees. Of faces
-/// that are tilted more, no more than a strip of two decimetres is within the contact distance, beside an edge that
-/// has contacts of its own.
+/// that are tilted more, no more than a strip of two decimetres is within the contact distance, beside an edge that has
+/// contacts of its own.
 constexpr double kFromAbove = 0.996;
 
 /// Places within this part of a triangle's size are one: where apps compute corners twice, they differ by rounding.
@@ -289,5 +288,4 @@ void MeshContacts::CoverGhosts() {
   to_turn_.erase(std::unique(to_turn_.begin(), to_turn_.end()), to_turn_.end());
 }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

@@ -8,10 +8,10 @@
 // faces' own counts, at a ridge those between the two faces', at the mesh's border all. It holds on either side of the
 // surface.
 //
-// A ghost still means that the body is near the triangle, and may be over its face: a ghost that comes from above
-// is to be met along the triangle's normal in any case (ToTurn()), as the far side of a box that is tilted a little.
-// One from aside, of a body so deep that a triangle's own way out is sideways, is only if nothing covers it: it is
-// covered if the triangle that rises above it has a contact that counts, or a ghost that is covered.
+// A ghost still means that the body is near the triangle, and may be over its face: a ghost that comes from above is to
+// be met along the triangle's normal in any case (ToTurn()), as the far side of a box that is tilted a little. One from
+// aside, of a body so deep that a triangle's own way out is sideways, is only if nothing covers it: it is covered if
+// the triangle that rises above it has a contact that counts, or a ghost that is covered.
 #pragma once
 
 #include <LinearMath/btTransform.h>
@@ -26,8 +26,7 @@
 #include "pipeline/mesh_triangle.h"
 #include "shapes/solver_types.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 
 /// A contact of a convex body, A, with a triangle of a mesh, B.
 struct MeshContact {
@@ -142,5 +141,4 @@ class MeshContacts {
   std::vector<int> to_turn_;
 };
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

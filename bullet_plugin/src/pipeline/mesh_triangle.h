@@ -1,5 +1,5 @@
-// A triangle of a mesh, and how a result of Bullet is shown it in the mesh's place: by that an app's callbacks know the
-// triangle of a contact, as btAdjustInternalEdgeContacts() needs it.
+// A triangle of a mesh, and how it takes the mesh's place in a result of Bullet: by that an app's callbacks identify
+// the triangle of a contact, as btAdjustInternalEdgeContacts() needs it.
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
@@ -10,12 +10,11 @@
 
 #include "dgd_bullet/linkage.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 
 struct MeshTriangle {
   std::array<btVector3, 3> corners;  ///< In the mesh's frame, scaled; metres.
-  int part, index;                   ///< Bullet's names of it. The halves of a heightfield's squares share them.
+  int part, index;                   ///< Bullet's numbers of it. The halves of a heightfield's squares share them.
 };
 
 /// A triangle as a shape of its own, with the mesh's margin, where the mesh is.
@@ -37,25 +36,25 @@ class TriangleBody {
   btCollisionObjectWrapper wrapper_;
 };
 
-/// Has a result take a triangle for the mesh that it is of, as long as this lives.
-class ShownTriangle {
+/// Puts a triangle in the place of its mesh in a result, as long as this lives.
+class BoundTriangle {
  public:
-  ShownTriangle(btManifoldResult& output, const btCollisionObjectWrapper& triangle)
+  BoundTriangle(btManifoldResult& output, const btCollisionObjectWrapper& triangle)
       : output_(output), is_first_(output.getBody0Internal() == triangle.getCollisionObject()) {
     mesh_ = is_first_ ? output.getBody0Wrap() : output.getBody1Wrap();
-    Show(&triangle);
+    Bind(&triangle);
     if (is_first_) {
       output.setShapeIdentifiersA(triangle.m_partId, triangle.m_index);
     } else {
       output.setShapeIdentifiersB(triangle.m_partId, triangle.m_index);
     }
   }
-  ~ShownTriangle() { Show(mesh_); }
-  ShownTriangle(const ShownTriangle&) = delete;
-  ShownTriangle& operator=(const ShownTriangle&) = delete;
+  ~BoundTriangle() { Bind(mesh_); }
+  BoundTriangle(const BoundTriangle&) = delete;
+  BoundTriangle& operator=(const BoundTriangle&) = delete;
 
  private:
-  void Show(const btCollisionObjectWrapper* wrapper) {
+  void Bind(const btCollisionObjectWrapper* wrapper) {
     if (is_first_) {
       output_.setBody0Wrap(wrapper);
     } else {
@@ -68,5 +67,4 @@ class ShownTriangle {
   const btCollisionObjectWrapper* mesh_;
 };
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

@@ -6,10 +6,9 @@
 
 #include "pipeline/body_velocity.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 
-double Reach(const btCollisionObject& object, const btVector3& from) {
+double BoundingRadius(const btCollisionObject& object, const btVector3& from) {
   const btBroadphaseProxy* proxy = object.getBroadphaseHandle();
   if (proxy == nullptr) {
     return double(object.getCollisionShape()->getAngularMotionDisc() +
@@ -20,10 +19,10 @@ double Reach(const btCollisionObject& object, const btVector3& from) {
   return double(farthest.length());
 }
 
-BodyReach::BodyReach(const btCollisionObject& body)
-    : object(body), reach(Reach(body, body.getWorldTransform().getOrigin())) {}
+BoundedBody::BoundedBody(const btCollisionObject& body)
+    : object(body), radius(BoundingRadius(body, body.getWorldTransform().getOrigin())) {}
 
-PairMotion::Twist PairMotion::Read(const BodyReach& body, double time_step) {
+PairMotion::Twist PairMotion::Read(const BoundedBody& body, double time_step) {
   const btCollisionObject& object = body.object;
   // Apps that make a body kinematic as Bullet's manual says leave it flagged as static, too.
   if (object.isStaticObject() && !object.isKinematicObject()) return {};
@@ -33,7 +32,7 @@ PairMotion::Twist PairMotion::Read(const BodyReach& body, double time_step) {
                  FromBullet(velocity.angular),
                  FromBullet(btScalar(time_step) * acceleration),
                  FromBullet(object.getWorldTransform().getOrigin()),
-                 body.reach,
+                 body.radius,
                  double(inverse_mass),
                  link != nullptr};
   };
@@ -48,8 +47,7 @@ dgd::Motion<double> PairMotion::Twist::MotionOf(const Pose& pose, double time) c
   return {pose, time * PredictedLinear(), time * angular, pose.rotation.transpose() * (center - pose.translation)};
 }
 
-PairMotion::PairMotion(const BodyReach& body_a, const BodyReach& body_b, double time_step)
+PairMotion::PairMotion(const BoundedBody& body_a, const BoundedBody& body_b, double time_step)
     : a_(Read(body_a, time_step)), b_(Read(body_b, time_step)), time_step_(time_step) {}
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

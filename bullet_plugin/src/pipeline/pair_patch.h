@@ -3,40 +3,33 @@
 
 #include "dgd/contact_patch.h"
 #include "dgd/facing_faces.h"
-#include "dgd/query_types.h"
 #include "dgd_bullet/linkage.h"
+#include "pipeline/contact.h"
 #include "pipeline/pair_motion.h"
-#include "shapes/posed_shape.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 
-/// What the shapes show each other along the result's normal.
-void FindFacingFaces(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Result<double>& result,
-                     double angular_tolerance, dgd::FacingFaces<double>& facing);
+struct PairQuery;
 
-/// The points that belong to the patch by `settings`, and those that `motion` makes touch.
-dgd::ContactPatch<double> FindPatch(const dgd::Result<double>& result, const dgd::FacingFaces<double>& facing,
+/// The contacts of a solved pair, before they are written anywhere.
+struct PairContacts {
+  dgd::ContactPatch<double> patch;
+  Vector3 normal = Vector3::Zero();  ///< Unit, from the call's first body to the second.
+  PairMotion motion;                 ///< Motion of the bodies in the order that their shapes are solved in.
+  bool is_passing = false;           ///< Whether the patch's separations are not the shapes' (LetPass()).
+};
+
+/// The patch of two shapes: none where they are too far apart, and will be at the end of the step.
+/// @param contact     Certified. Its normal turns to that of least translation where there is a patch and that is
+///                    wanted.
+/// @param is_passing  Out: whether the patch is that of bodies that pass each other (LetPass()).
+dgd::ContactPatch<double> FindContactPatch(PairQuery& query, Contact& contact, bool& is_passing);
+
+/// The points that belong to the patch by `settings`, and those that `motion` closes.
+dgd::ContactPatch<double> FindPatch(const Contact& contact, const dgd::FacingFaces<double>& facing,
                                     const dgd::PatchSettings<double>& settings, const PairMotion& motion);
 
-/// A cylinder that wobbles on a face, as a spun coin does, touches it at another point of its rim in each step,
-/// centimetres on; a prism of many sides alike. Where only the lowest one of now is held, the rim sinks in there, is
-/// pushed out at a speed, and gains by that: it wobbles for ever. So of a face with more corners than may be kept the
-/// one that will be the deepest at the end of the step joins the patch, if it will be in overlap, in the place of the
-/// last point if need be. By that the wobble loses energy, the faster the longer the step: a disc 0.8 m across, spun
-/// as steadily as one can at a tilt of 0.6 rad, lies after 2.2 s in steps of 1/240 s, after 0.7 s in steps of 1/60 s.
-/// @param facing  Along the result's normal, with its overlap.
-void AddRimPoint(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Result<double>& result,
-                 const dgd::FacingFaces<double>& facing, const dgd::PatchSettings<double>& settings,
-                 const PairMotion& motion, dgd::ContactPatch<double>& patch);
-
-/// As above, of a shape on a plane.
-void AddRimPoint(const PosedShape& shape, const dgd::Result<double>& result, const dgd::FacingFaces<double>& facing,
-                 const dgd::PatchSettings<double>& settings, const PairMotion& motion,
-                 dgd::ContactPatch<double>& patch);
-
 /// The witness point alone: what Bullet's own algorithm would report.
-dgd::ContactPatch<double> WitnessOnly(const dgd::Result<double>& result);
+dgd::ContactPatch<double> WitnessOnly(const Contact& contact);
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

@@ -6,11 +6,9 @@
 
 #include "dgd_bullet/linkage.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 
-/// Whether contacts go to the app itself, and not into a step's manifolds: it derives from Bullet's result.
-inline bool IsAskedByApp(const btManifoldResult& output) { return typeid(output) != typeid(btManifoldResult); }
+/// Whether the contacts go to the app itself, by a result that derives from Bullet's, and not into a step's manifolds.
+inline bool IsUserQuery(const btManifoldResult& output) { return typeid(output) != typeid(btManifoldResult); }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

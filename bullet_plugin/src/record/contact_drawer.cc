@@ -7,8 +7,7 @@
 #include <cstdio>
 #include <utility>
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 namespace {
 
 constexpr btScalar kNormalLength = btScalar(0.1);  // Metres.
@@ -67,5 +66,4 @@ void DrawContacts(const btPersistentManifold& manifold, btIDebugDraw* drawer) {
   if ((mode & btIDebugDraw::DBG_DrawText) != 0) DrawSeparation(manifold.getContactPoint(0), *drawer);
 }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

@@ -6,8 +6,7 @@
 class btIDebugDraw;
 class btPersistentManifold;
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 
 /// Shows a drawer that wants to see them the contacts of a manifold as the solver is given them, however they were
 /// found: drawing changes nothing. With DBG_DrawContactPoints in its mode the patch's outline on either body, and its
@@ -15,5 +14,4 @@ inline namespace DGD_BULLET_PRECISION {
 /// @param drawer  Or null.
 void DrawContacts(const btPersistentManifold& manifold, btIDebugDraw* drawer);
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

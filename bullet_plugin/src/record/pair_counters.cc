@@ -4,13 +4,14 @@
 
 #include <algorithm>
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+#include "dgd/assert.h"
+
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 namespace {
 
 constexpr int kTypes = STATIC_PLANE_PROXYTYPE + 1;
 
-/// Of the row of two types in a table of all.
+/// Index of the row of two types in a table of all.
 std::size_t IndexOf(int lower_type, int higher_type) {
   return static_cast<std::size_t>(lower_type) * kTypes + static_cast<std::size_t>(higher_type);
 }
@@ -28,22 +29,24 @@ void RaiseTo(double value, std::atomic<double>& largest) {
 PairCounters::PairCounters() : rows_(std::size_t(kTypes) * kTypes) {}
 
 PairCounters::Row& PairCounters::RowOf(int type_0, int type_1) {
+  DGD_ASSERT(std::min(type_0, type_1) >= 0 && std::max(type_0, type_1) < kTypes);
   return rows_[IndexOf(std::min(type_0, type_1), std::max(type_0, type_1))];
 }
 
 void PairCounters::Count(int type_0, int type_1, const PairOutcome& outcome) {
+  DGD_ASSERT(!outcome.fallback && outcome.iterations >= 0 && outcome.patch_size >= 0 && outcome.patch_size <= 4);
   Row& row = RowOf(type_0, type_1);
-  switch (outcome.way) {
-    case PairOutcome::Way::kSeparated:
+  switch (outcome.stage) {
+    case PairOutcome::Stage::kSeparated:
       Increment(row.separated);
       break;
-    case PairOutcome::Way::kResting:
-      Increment(row.resting);
+    case PairOutcome::Stage::kRecycled:
+      Increment(row.recycled);
       break;
-    case PairOutcome::Way::kFollowed:
-      Increment(row.followed);
+    case PairOutcome::Stage::kUpdated:
+      Increment(row.updated);
       break;
-    case PairOutcome::Way::kSolved:
+    case PairOutcome::Stage::kSolved:
       Increment(row.solved);
       RaiseTo(outcome.gap, row.worst_gap);
       break;
@@ -67,8 +70,8 @@ std::vector<PairStatistics> PairCounters::Read() const {
       pair.type_0 = type_0;
       pair.type_1 = type_1;
       pair.separated = read(row.separated);
-      pair.resting = read(row.resting);
-      pair.followed = read(row.followed);
+      pair.resting = read(row.recycled);
+      pair.followed = read(row.updated);
       pair.solved = read(row.solved);
       for (std::size_t i = 0; i < kFallbacks; ++i) CountOf(pair, static_cast<Fallback>(i)) = read(row.fallbacks[i]);
       pair.calls = pair.separated + pair.resting + pair.followed + pair.solved + pair.Fallbacks();
@@ -81,5 +84,4 @@ std::vector<PairStatistics> PairCounters::Read() const {
   return pairs;
 }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

@@ -19,8 +19,7 @@
 #include "record/record_format.h"
 #include "shapes/shape_adapter.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 namespace {
 
 /// The content of a shape's block.
@@ -232,5 +231,4 @@ std::uint64_t Recorder::pair_count() const { return writer_->pair_count(); }
 
 void Recorder::Close() { writer_->Close(); }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

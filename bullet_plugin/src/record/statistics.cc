@@ -5,8 +5,7 @@
 
 #include "shapes/shape_type_name.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 namespace {
 
 std::string NameOf(int type) {
@@ -61,5 +60,4 @@ std::string ToJson(const Statistics& statistics) {
   return json.str();
 }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

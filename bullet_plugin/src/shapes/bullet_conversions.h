@@ -10,8 +10,7 @@
 #include "dgd_bullet/linkage.h"
 #include "shapes/solver_types.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 
 /// Stored as Eigen will load it: a pair of numbers and one. A pair that is loaded from two single stores, as Eigen's
 /// own constructor makes them, waits for both to reach the cache, some 12 cycles; most queries take few hundred.
@@ -69,5 +68,4 @@ inline Pose FromBullet(const btTransform& transform, int up_axis = kZAxis) {
   return pose;
 }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

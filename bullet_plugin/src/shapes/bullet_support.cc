@@ -8,8 +8,7 @@
 #include "dgd/convex_hull.h"
 #include "shapes/bullet_conversions.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 namespace {
 
 /// What the shape's arithmetic, in Bullet's precision, may be off by: a few roundings. Four times as much leaves one
@@ -23,7 +22,7 @@ dgd::SupportPoint<double> Support(const void* object, const Vector3& direction) 
 
 }  // namespace
 
-dgd::CustomCore ThroughBullet(const btConvexShape& shape, double radius) {
+dgd::CustomCore CustomSupport(const btConvexShape& shape, double radius) {
   std::array<Vector3, 6> extremes;
   Vector3 center = Vector3::Zero();
   for (std::size_t i = 0; i < extremes.size(); ++i) {
@@ -41,5 +40,4 @@ dgd::CustomCore ThroughBullet(const btConvexShape& shape, double radius) {
   return {&shape, Support, center, inradius, kAccuracy};
 }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

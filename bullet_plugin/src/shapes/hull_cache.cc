@@ -13,8 +13,7 @@
 #include "algorithms/prefetch.h"
 #include "shapes/shape_points.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 namespace {
 
 std::vector<unsigned char> CopyBytes(const ShapePoints& points) {
@@ -137,5 +136,4 @@ void HullCache::Prune() {
   prune_at_ = std::max<std::size_t>(64, 2 * hulls_.size());
 }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

@@ -27,8 +27,7 @@
 
 class btConvexShape;
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 
 /// Whose query a hull is for.
 enum class HullUse {
@@ -38,7 +37,7 @@ enum class HullUse {
 
 class CachedHull {
  public:
-  /// @param scanned_queries  So many queries are answered without facets.
+  /// @param scanned_queries  Number of queries that are solved without facets.
   /// Throws std::invalid_argument if the shape has no points or one is not finite.
   CachedHull(const btConvexShape& shape, int scanned_queries);
 
@@ -90,5 +89,4 @@ class HullCache {
   std::atomic<unsigned> hulls_made_ = 0;
 };
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

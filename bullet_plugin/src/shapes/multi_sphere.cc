@@ -5,8 +5,7 @@
 
 #include "shapes/bullet_conversions.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 namespace {
 
 double RadiusOf(const btMultiSphereShape& spheres, int i) {
@@ -59,5 +58,4 @@ dgd::CustomCore CoreOfSpheres(const btMultiSphereShape& spheres) {
   return {&spheres, Support, center, 0, 0};
 }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

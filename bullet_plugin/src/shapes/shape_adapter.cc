@@ -12,20 +12,19 @@
 #include "shapes/multi_sphere.h"
 #include "shapes/shape_points.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 namespace {
 
-/// Share of a box's least half extent: boxes tip early by as much (tests/physics, tip), and boxes at rest overlap by
-/// less than a tenth of it.
+/// Radius as a part of a box's least half extent: boxes tip early by as much (tests/physics, tip), and boxes at rest
+/// overlap by less than a tenth of it.
 constexpr btScalar kEdgeRadius = btScalar(1) / 512;
 
 Vector3 CoreOf(const btBoxShape& box, btScalar edge_radius) {
   const btVector3 half = box.getHalfExtentsWithMargin() - btVector3(edge_radius, edge_radius, edge_radius);
-  return FromBullet(btVector3(Extent(half.x()), Extent(half.y()), Extent(half.z())));
+  return FromBullet(btVector3(ClampHalfExtent(half.x()), ClampHalfExtent(half.y()), ClampHalfExtent(half.z())));
 }
 
-/// The hull of a shape's points, kept in `hull` from one call to the next.
+/// The hull of a shape's points, cached in `hull` from one call to the next.
 dgd::CoreReference<dgd::Polytope<double>> HullOf(const btConvexShape& shape, HullCache& cache,
                                                  std::shared_ptr<const CachedHull>& hull, HullUse use) {
   if (hull == nullptr || !hull->Matches(shape)) hull = cache.Find(shape);
@@ -65,16 +64,16 @@ PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, 
                       std::shared_ptr<const CachedHull>& hull, HullUse use) {
   const int type = shape.getShapeType();
   const double margin = dgd::RequireLength(double(shape.getMargin()), true, "collision margin");
-  // Of what has a margin besides its core.
+  // The radius of shapes that have a margin besides their core.
   const bool is_sharp = geometry == GeometryMode::kSharp;
   const double radius = is_sharp ? 0 : margin;
   switch (type) {
     case SPHERE_SHAPE_PROXYTYPE:
-      // Its margin is its radius.
+      // A sphere's margin is its radius.
       return {dgd::RoundedSet{dgd::Point<double>(), margin}, FromBullet(transform)};
     case CAPSULE_SHAPE_PROXYTYPE: {
       const auto& capsule = static_cast<const btCapsuleShape&>(shape);
-      return {dgd::RoundedSet{dgd::Segment<double>(double(Extent(capsule.getHalfHeight()))), margin},
+      return {dgd::RoundedSet{dgd::Segment<double>(double(ClampHalfExtent(capsule.getHalfHeight()))), margin},
               FromBullet(transform, UpAxis(shape))};
     }
     case TRIANGLE_SHAPE_PROXYTYPE: {
@@ -86,16 +85,17 @@ PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, 
     }
     case BOX_SHAPE_PROXYTYPE: {
       const auto& box = static_cast<const btBoxShape&>(shape);
-      const double rounding = is_sharp ? 0 : double(EdgeRadius(box));
-      const Vector3 core = CoreOf(box, btScalar(rounding));
-      return {dgd::RoundedSet{dgd::Box<double>(core), rounding}, FromBullet(transform)};
+      const double edge_radius = is_sharp ? 0 : double(EdgeRadius(box));
+      const Vector3 core = CoreOf(box, btScalar(edge_radius));
+      return {dgd::RoundedSet{dgd::Box<double>(core), edge_radius}, FromBullet(transform)};
     }
     case CYLINDER_SHAPE_PROXYTYPE: {
       const auto& cylinder = static_cast<const btCylinderShape&>(shape);
       const btVector3 half = is_sharp ? cylinder.getHalfExtentsWithMargin() : cylinder.getHalfExtentsWithoutMargin();
       const int up = UpAxis(shape);
       // Bullet takes the radius from the first axis that is not the cylinder's own.
-      return {dgd::RoundedSet{dgd::Cylinder<double>(double(Extent(half[up == 0 ? 1 : 0])), double(Extent(half[up]))),
+      return {dgd::RoundedSet{dgd::Cylinder<double>(double(ClampHalfExtent(half[up == 0 ? 1 : 0])),
+                                                    double(ClampHalfExtent(half[up]))),
                               radius},
               FromBullet(transform, up)};
     }
@@ -112,7 +112,7 @@ PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, 
     default:
       break;
   }
-  if (!IsHullOfPoints(shape)) return {dgd::RoundedSet{ThroughBullet(shape, radius), radius}, FromBullet(transform)};
+  if (!IsHullOfPoints(shape)) return {dgd::RoundedSet{CustomSupport(shape, radius), radius}, FromBullet(transform)};
   return {dgd::RoundedSet{HullOf(shape, cache, hull, use), radius}, FromBullet(transform)};
 }
 
@@ -130,5 +130,4 @@ bool ShowsFaces(const btCollisionShape& shape) {
   }
 }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

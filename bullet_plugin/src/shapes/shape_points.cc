@@ -14,8 +14,7 @@
 #include "dgd/assert.h"
 #include "shapes/multi_sphere.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 namespace {
 
 const btVector3 kUnscaled(1, 1, 1);
@@ -133,5 +132,4 @@ std::vector<Vector3> AllPoints(const btConvexShape& shape) {
   return points;
 }
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

@@ -9,8 +9,7 @@
 
 class btConvexShape;
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 
 /// Whether the shape is the hull of points, with a radius: hull, point cloud, tetrahedron, convex triangle mesh, and
 /// spheres of one radius.
@@ -42,5 +41,4 @@ class ShapePoints {
 /// All points of the shape that belong to its hull.
 std::vector<Vector3> AllPoints(const btConvexShape& shape);
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

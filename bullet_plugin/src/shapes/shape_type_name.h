@@ -1,13 +1,11 @@
-// Bullet's types of convex shapes, and of what else they meet here, by name.
+// Names of Bullet's types of convex shapes, and of planes.
 #pragma once
 
 #include "dgd_bullet/linkage.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 
-/// As Bullet names the type, without "_SHAPE_PROXYTYPE"; null for one that no pair of ours has.
+/// Bullet's name of a type, without "_SHAPE_PROXYTYPE"; null for a type that no pair here has.
 const char* ShapeTypeName(int type);
 
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION

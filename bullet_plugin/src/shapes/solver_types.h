@@ -3,6 +3,8 @@
 // features) does not arise.
 #pragma once
 
+#include <cmath>
+
 #include "dgd/types.h"
 
 namespace dgd_bullet {
@@ -10,5 +12,8 @@ namespace dgd_bullet {
 using Vector3 = dgd::Vector3<double>;
 using Matrix3 = dgd::Matrix3<double>;
 using Pose = dgd::Pose<double>;
+
+/// Whether a vector has unit length, but for roundoff in either precision; for assertions.
+inline bool IsUnit(const Vector3& vector) { return std::abs(vector.squaredNorm() - 1) <= 1e-5; }
 
 }  // namespace dgd_bullet

@@ -1,4 +1,4 @@
-#include "pipeline/pair_contacts.h"
+#include "pipeline/contact_range.h"
 
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
@@ -8,15 +8,12 @@
 #include <limits>
 
 #include "conditioning/just_touching.h"
-#include "pipeline/contact_distance.h"
-#include "shapes/shape_adapter.h"
 
-namespace dgd_bullet {
-inline namespace DGD_BULLET_PRECISION {
+namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 namespace {
 
-/// Depths that make no difference to a simulation, of the breaking threshold: 20 micrometres for large bodies. And to
-/// anybody: picometres.
+/// Differences of depth, as parts of the breaking threshold, that do not matter to a simulation: 20 micrometres for
+/// large bodies; and to nobody: picometres.
 constexpr double kEqualDepth = 1e-3, kNoDepth = 1e-10;
 
 bool Rebounds(const btManifoldResult& output) {
@@ -25,7 +22,7 @@ bool Rebounds(const btManifoldResult& output) {
 
 }  // namespace
 
-PairMotion MotionOfStep(const PairManifold& manifold, const BodyReach& body_a, const BodyReach& body_b,
+PairMotion MotionOfStep(const PairManifold& manifold, const BoundedBody& body_a, const BoundedBody& body_b,
                         const btDispatcherInfo& info) {
   if (!manifold.IsOwn() || !(info.m_timeStep > 0)) return {};
   return {body_a, body_b, double(info.m_timeStep)};
@@ -38,7 +35,7 @@ ContactRange RangeOfContacts(const Options& options, const PairManifold& manifol
     const double distance = ContactDistance(options, breaking_threshold, output);
     return {distance, distance};
   }
-  // Nothing is to be kept apart: such bodies, sensors most often, are in contact when they overlap.
+  // Bodies that nothing keeps apart, sensors most often, are in contact when they overlap.
   const bool has_response =
       output.getBody0Internal()->hasContactResponse() && output.getBody1Internal()->hasContactResponse();
   if (!has_response) return {0, 0};
@@ -55,32 +52,13 @@ ContactRange RangeOfContacts(const Options& options, const PairManifold& manifol
   return {touching, limit, is_rebound};
 }
 
-bool MayKeepContacts(const Options& options, const PairManifold& manifold) {
-  return options.keep_resting_contacts && manifold.IsOwn() && options.contact_patch && options.warm_start;
-}
-
 dgd::PatchSettings<double> PatchSettingsOf(const Options& options, const PairManifold& manifold,
-                                           const ContactRange& range, bool is_asked) {
+                                           const ContactRange& range, bool is_user_query) {
   const double breaking_threshold = manifold.BreakingThreshold();
   return {.contact_distance = range.touching,
           .spacing = breaking_threshold,
-          .equal_depth = (is_asked ? kNoDepth : kEqualDepth) * breaking_threshold,
+          .equal_depth = (is_user_query ? kNoDepth : kEqualDepth) * breaking_threshold,
           .max_points = options.patch_size};
 }
 
-ManifoldUpdate ManifoldUpdateOf(const Options& options, const btManifoldResult& output) {
-  // A shape without faces shows a point a step: as with Bullet's own narrowphase, a patch is what steps bring together.
-  const bool has_patch = options.contact_patch && ShowsFaces(*output.getBody0Wrap()->getCollisionShape()) &&
-                         ShowsFaces(*output.getBody1Wrap()->getCollisionShape());
-  return {.drop_stale = has_patch, .hold_stuck = options.friction_anchors};
-}
-
-void WriteContacts(const dgd::ContactPatch<double>& patch, const Vector3& normal, const PairMotion& motion,
-                   const Options& options, const PairManifold& manifold, btManifoldResult& output) {
-  if (!manifold.IsOwn()) return WritePatch(patch, normal, output);
-  if (patch.size == 0 && manifold.IsEmpty()) return;  // As most pairs of a broadphase, step after step.
-  UpdateManifold(patch, normal, motion, ManifoldUpdateOf(options, output), output);
-}
-
-}  // namespace DGD_BULLET_PRECISION
-}  // namespace dgd_bullet
+}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
