@@ -7,7 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// As Bullet writes 324: "Bullet 3.24".
@@ -43,4 +44,5 @@ void RequireMatchingBullet(int app_version) {
   }
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

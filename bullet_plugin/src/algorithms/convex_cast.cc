@@ -1,9 +1,11 @@
 #include "dgd_bullet/convex_cast.h"
 
 #include "algorithms/shape_sweep.h"
+#include "dgd/assert.h"
 #include "shapes/bullet_conversions.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 struct ConvexCast::Hulls {
   HullCache cache;
@@ -20,10 +22,12 @@ bool ConvexCast::calcTimeOfImpact(const btTransform& from_a, const btTransform& 
   const MovingShape a{*shape_a_, from_a, to_a, hulls_->a}, b{*shape_b_, from_b, to_b, hulls_->b};
   const dgd::TimeOfImpactResult<double> impact = SweepShapes(a, b, geometry_, hulls_->cache, HullUse::kApp);
   if (!Meet(impact, a, b)) return false;
+  DGD_ASSERT(impact.time >= 0 && impact.time <= 1 && IsUnit(impact.normal));
   result.m_fraction = RoundDown(impact.time);
   result.m_normal = ToBullet(-impact.normal);
   result.m_hitPoint = ToBullet(impact.witness_2);
   return true;
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -14,7 +14,8 @@
 #include "pipeline/pair_pipeline.h"
 #include "shapes/bullet_conversions.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// Whether a body moves by less than the app wants to have swept.
@@ -88,4 +89,5 @@ btScalar ConvexConvexAlgorithm::calculateTimeOfImpact(btCollisionObject* body_0,
   return fraction;
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -14,7 +14,8 @@
 #include "pipeline/pair_cache.h"
 #include "pipeline/pair_patch.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 class ConvexConvexAlgorithm final : public PairAlgorithm {
  public:
@@ -63,4 +64,5 @@ class ConvexConvexAlgorithm final : public PairAlgorithm {
 static_assert(sizeof(ConvexConvexAlgorithm) <= 184, "must fit Bullet's smallest pool element");
 static_assert(alignof(ConvexConvexAlgorithm) <= 8, "some of Bullet's pools align to 8 bytes only");
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

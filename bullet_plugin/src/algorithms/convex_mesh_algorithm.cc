@@ -29,7 +29,8 @@
 #include "pipeline/user_query.h"
 #include "record/contact_drawer.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// What a pair has from step to step: algorithms, and memory.
 struct MeshStep {
@@ -61,6 +62,7 @@ class GatheringResult final : public btManifoldResult {
 
   void addContactPoint(const btVector3& normal_on_b, const btVector3& point, btScalar separation) override {
     if (!(double(separation) <= contact_distance_)) return;
+    DGD_ASSERT(triangle_ >= 0 && IsUnit(FromBullet(normal_on_b)));
     const Vector3 normal = -FromBullet(normal_on_b), on_b = FromBullet(point);
     dgd::ContactPatch<double> patch;
     patch.size = 1;
@@ -122,6 +124,7 @@ class TriangleVisit final : public btTriangleCallback {
   void Visit(const btVector3* corners, int part, int index) {
     const int i = step_.contacts.AddTriangle(corners, part, index);
     step_.algorithms.push_back(nullptr);
+    DGD_ASSERT(step_.algorithms.size() == static_cast<std::size_t>(step_.contacts.triangles()));
     const TriangleBody triangle(step_.contacts.triangle(i), mesh_);
     if (auto* cached = static_cast<ConvexConvexAlgorithm*>(step_.pairs.Find(part, index))) {
       step_.algorithms.back() = cached;
@@ -278,6 +281,7 @@ bool ConvexMeshAlgorithm::FindContacts(const btCollisionObjectWrapper& convex, c
 
 void ConvexMeshAlgorithm::Write(const TriangleQuery& query, bool has_foreign, const btDispatcherInfo& info,
                                 btManifoldResult& output) {
+  DGD_ASSERT(manifold_ == output.getPersistentManifold());
   const ReducedContacts reduced =
       ReduceContacts(step_->contacts.contacts(), query.patch_settings, query.motion, *manifold_);
   std::array<ManifoldContact, MANIFOLD_CACHE_SIZE> chosen;
@@ -294,4 +298,5 @@ void ConvexMeshAlgorithm::Write(const TriangleQuery& query, bool has_foreign, co
   DrawContacts(*manifold_, info.m_debugDraw);
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

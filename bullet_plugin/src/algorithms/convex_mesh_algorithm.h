@@ -15,7 +15,8 @@
 #include "dgd/contact_patch.h"
 #include "dgd_bullet/linkage.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 struct MeshStep;
 struct TriangleQuery;
@@ -47,4 +48,5 @@ class ConvexMeshAlgorithm final : public btConvexConcaveCollisionAlgorithm {
 static_assert(sizeof(ConvexMeshAlgorithm) <= 184, "must fit Bullet's smallest pool element");
 static_assert(alignof(ConvexMeshAlgorithm) <= 8, "some of Bullet's pools align to 8 bytes only");
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -5,7 +5,8 @@
 
 #include "pipeline/plane_pipeline.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 void ConvexPlaneAlgorithm::processCollision(const btCollisionObjectWrapper* body_0,
                                             const btCollisionObjectWrapper* body_1, const btDispatcherInfo& info,
@@ -16,4 +17,5 @@ void ConvexPlaneAlgorithm::processCollision(const btCollisionObjectWrapper* body
 
 PairOutcome ConvexPlaneAlgorithm::RunPipeline(const PairCall& call) { return RunPlanePipeline(pair_, hull_, call); }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -12,7 +12,8 @@
 #include "dgd_bullet/linkage.h"
 #include "shapes/hull_cache.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 class ConvexPlaneAlgorithm final : public PairAlgorithm {
  public:
@@ -36,4 +37,5 @@ class ConvexPlaneAlgorithm final : public PairAlgorithm {
 static_assert(sizeof(ConvexPlaneAlgorithm) <= 184, "must fit Bullet's smallest pool element");
 static_assert(alignof(ConvexPlaneAlgorithm) <= 8, "some of Bullet's pools align to 8 bytes only");
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

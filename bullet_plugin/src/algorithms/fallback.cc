@@ -5,7 +5,8 @@
 #include "dgd/assert.h"
 #include "shapes/shape_type_name.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 struct Description {
@@ -60,4 +61,5 @@ FallbackMessage Describe(Fallback fallback, int type_0, int type_1) {
   return message;
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

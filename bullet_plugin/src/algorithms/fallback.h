@@ -3,15 +3,17 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "dgd/query_types.h"
 #include "dgd_bullet/linkage.h"
 #include "dgd_bullet/statistics.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// The members of FallbackCounts, in their order.
-enum class Fallback { kNotConverged, kNoInterior, kInvalid, kNoMemory };
+enum class Fallback : std::uint8_t { kNotConverged, kNoInterior, kInvalid, kNoMemory };
 inline constexpr std::size_t kFallbacks = 4;
 
 /// The reason of a query whose result is not certified.
@@ -31,4 +33,5 @@ using FallbackMessage = std::array<char, 256>;
 /// What happened to a pair of two of Bullet's types of shapes. Allocates nothing, since memory may be what is missing.
 FallbackMessage Describe(Fallback fallback, int type_0, int type_1);
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

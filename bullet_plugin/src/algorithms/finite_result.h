@@ -9,7 +9,8 @@
 
 #include "dgd_bullet/linkage.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Whether Bullet can compute with a place. It multiplies two lengths: in float, the product of 1e19 m would be
 /// infinite. False for NaN.
@@ -53,4 +54,5 @@ class FiniteResult final : public btManifoldResult {
   btManifoldResult& output_;
 };
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -17,8 +17,10 @@
 #include "algorithms/convex_mesh_algorithm.h"
 #include "algorithms/convex_plane_algorithm.h"
 #include "algorithms/finite_result.h"
+#include "dgd/assert.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// Makes an algorithm in a dispatcher's memory; Bullet frees the memory of algorithms that it owns.
@@ -99,6 +101,7 @@ Statistics Narrowphase::statistics() const {
 
 void Narrowphase::CountFallback(const btCollisionShape& shape_0, const btCollisionShape& shape_1, Fallback fallback) {
   const int type_0 = shape_0.getShapeType(), type_1 = shape_1.getShapeType();
+  DGD_ASSERT(static_cast<std::size_t>(fallback) < kFallbacks);
   const bool is_first = fallbacks_[static_cast<std::size_t>(fallback)].fetch_add(1, std::memory_order_relaxed) == 0;
   if (is_first && options_.on_first_fallback != nullptr) {
     options_.on_first_fallback(Describe(fallback, type_0, type_1).data());
@@ -111,6 +114,7 @@ void Narrowphase::FallBack(btDispatcher& dispatcher, const btCollisionObjectWrap
                            btManifoldResult& output) {
   // On the stack: where Bullet's pools are full, there is a result all the same.
   constexpr int kNoPerturbations = 0, kPointsToPerturb = 3;  // The defaults of its CreateFunc.
+  DGD_ASSERT(output.getPersistentManifold() != nullptr);
   const btCollisionAlgorithmConstructionInfo construction(&dispatcher, 0);
   btConvexConvexAlgorithm algorithm(output.getPersistentManifold(), construction, body_0, body_1, &penetration_solver_,
                                     kNoPerturbations, kPointsToPerturb);
@@ -135,4 +139,5 @@ btCollisionAlgorithm* Narrowphase::MeshCreateFunc::CreateCollisionAlgorithm(btCo
   return Make<ConvexMeshAlgorithm>(info, narrowphase, body_0, body_1, is_swapped);
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -22,7 +22,8 @@ class btDispatcher;
 class btManifoldResult;
 struct btDispatcherInfo;
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 class ConvexConvexAlgorithm;
 class ConvexPlaneAlgorithm;
@@ -105,4 +106,5 @@ class Narrowphase {
   std::array<std::atomic<std::uint64_t>, kFallbacks> fallbacks_{};
 };
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -9,7 +9,8 @@
 #include "pipeline/user_query.h"
 #include "record/contact_drawer.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 PairAlgorithm::~PairAlgorithm() {
   if (pair_.manifold.IsOwn()) pair_.manifold.Release(*m_dispatcher);
@@ -49,4 +50,5 @@ void PairAlgorithm::getAllContactManifolds(btManifoldArray& manifolds) {
   if (pair_.manifold.IsOwn() && pair_.manifold) manifolds.push_back(pair_.manifold.Get());
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -11,7 +11,8 @@
 #include "pipeline/pair_outcome.h"
 #include "pipeline/pair_state.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 class PairAlgorithm : public btCollisionAlgorithm {
  public:
@@ -43,4 +44,5 @@ class PairAlgorithm : public btCollisionAlgorithm {
   bool CanDoWithoutManifold(const PairCall& call) const;
 };
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

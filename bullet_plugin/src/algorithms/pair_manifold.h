@@ -13,7 +13,8 @@ class btCollisionObject;
 class btDispatcher;
 class btManifoldResult;
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 class PairManifold {
  public:
@@ -57,4 +58,5 @@ class PairManifold {
   bool is_own_;
 };
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

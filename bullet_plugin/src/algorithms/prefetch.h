@@ -5,29 +5,24 @@
 
 #include "dgd_bullet/linkage.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
-namespace prefetch_internal {
-
-/// @tparam kToWrite  Whether to use the processor's instruction for writing.
-template <bool kToWrite>
-void PrefetchLines(const void* begin, std::size_t bytes) {
-  constexpr std::size_t kLine = 64;
-  for (std::size_t at = 0; at < bytes; at += kLine) {
-    __builtin_prefetch(static_cast<const char*>(begin) + at, kToWrite ? 1 : 0);
-  }
-}
-
-}  // namespace prefetch_internal
+constexpr std::size_t kCacheLine = 64;
 
 /// Prefetches what will most likely be written to.
 inline void PrefetchToWrite(const void* begin, std::size_t bytes) {
-  prefetch_internal::PrefetchLines<true>(begin, bytes);
+  for (std::size_t at = 0; at < bytes; at += kCacheLine) {
+    __builtin_prefetch(static_cast<const char*>(begin) + at, 1);
+  }
 }
 
 /// Prefetches what other threads may read as well.
 inline void PrefetchToRead(const void* begin, std::size_t bytes) {
-  prefetch_internal::PrefetchLines<false>(begin, bytes);
+  for (std::size_t at = 0; at < bytes; at += kCacheLine) {
+    __builtin_prefetch(static_cast<const char*>(begin) + at, 0);
+  }
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

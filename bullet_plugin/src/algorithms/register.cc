@@ -9,7 +9,8 @@
 #include "algorithms/bullet_check.h"
 #include "algorithms/narrowphase.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 std::shared_ptr<Narrowphase> MakeNarrowphase(const Options& options, int bullet_version) {
   RequireMatchingBullet(bullet_version);
@@ -49,4 +50,5 @@ const Narrowphase& Register(btCollisionDispatcher* dispatcher, const Options& op
 
 Statistics StatisticsOf(const Narrowphase& narrowphase) { return narrowphase.statistics(); }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

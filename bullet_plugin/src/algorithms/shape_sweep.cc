@@ -4,10 +4,12 @@
 
 #include <exception>
 
+#include "dgd/assert.h"
 #include "shapes/bullet_conversions.h"
 #include "shapes/shape_adapter.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 using Motion = dgd::Motion<double>;
@@ -39,9 +41,11 @@ dgd::TimeOfImpactResult<double> SweepShapes(const MovingShape& a, const MovingSh
 
 bool Meet(const dgd::TimeOfImpactResult<double>& result, const MovingShape& a, const MovingShape& b) {
   if (result.status == dgd::Status::kSeparated || result.status == dgd::Status::kInvalidInput) return false;
+  DGD_ASSERT(result.time >= 0 && result.time <= 1);
   if (result.time > 0) return true;
   const Vector3 approach = VelocityAt(result.witness_1, WayOf(a)) - VelocityAt(result.witness_2, WayOf(b));
   return result.normal.dot(approach) > 0;
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -11,7 +11,8 @@
 class btConvexShape;
 class btTransform;
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// A shape and its way.
 struct MovingShape {
@@ -30,4 +31,5 @@ dgd::TimeOfImpactResult<double> SweepShapes(const MovingShape& a, const MovingSh
 /// meet, as in Bullet's own sweeps.
 bool Meet(const dgd::TimeOfImpactResult<double>& result, const MovingShape& a, const MovingShape& b);
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -8,7 +8,8 @@
 
 #include "dgd/assert.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 void Destroy(btDispatcher& dispatcher, btCollisionAlgorithm* algorithm) {
   algorithm->~btCollisionAlgorithm();
@@ -57,4 +58,5 @@ void TrianglePairs::EndStep() {
   pairs_.resize(kept);
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -13,7 +13,8 @@
 class btCollisionAlgorithm;
 class btDispatcher;
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// A mesh visits its triangles in the same order in each step, so each is searched behind the one before, and not far.
 /// One that is missed, or taken for another, costs its algorithm time and no more: what that caches are hints.
@@ -51,4 +52,5 @@ class TrianglePairs {
 /// Destroys an algorithm that came from a dispatcher.
 void Destroy(btDispatcher& dispatcher, btCollisionAlgorithm* algorithm);
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

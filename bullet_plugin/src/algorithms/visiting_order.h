@@ -12,9 +12,11 @@
 #include <memory>
 #include <new>
 
+#include "dgd/assert.h"
 #include "dgd_bullet/linkage.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// What one thread has visited last: addresses where something was, or null.
 class VisitingOrder {
@@ -45,6 +47,7 @@ class VisitingOrder {
     // Not the last visit of all, nor one that has been overwritten, nor most likely of another thread.
     const bool is_known = now_ - place >= 2 && now_ - place < kPlaces;
     const Visited next = is_known ? At(place + 1) : Visited{};
+    DGD_ASSERT(visited.pair != nullptr);
     At(now_) = visited;
     place = now_++;
     return next;
@@ -71,4 +74,5 @@ class VisitingOrder {
   Place now_;
 };
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

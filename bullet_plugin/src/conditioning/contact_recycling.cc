@@ -18,7 +18,8 @@
 #include "pipeline/manifold_writer.h"
 #include "pipeline/pair_motion.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// Displacement that counts as none, as a part of the breaking threshold: 20 micrometres for large bodies. Five times
@@ -98,6 +99,7 @@ double MaxDrift(const btPersistentManifold& manifold) {
   const auto breaking_threshold = double(manifold.getContactBreakingThreshold());
   const double max_rise = kRise * breaking_threshold, max_drift = kDrift * breaking_threshold;
   const auto [rise, run] = SlopeUnder(manifold);
+  DGD_ASSERT(!(rise < 0) && !(run < 0));
   return max_drift * rise <= max_rise * run ? max_drift : max_rise * run / rise;
 }
 
@@ -218,6 +220,7 @@ void RecycledContacts::TurnNormals(const btCollisionObjectWrapper& body_a, const
   DGD_ASSERT(face_.side != dgd::FaceHolder::kNone);
   sides_[0].pose = body_a.getWorldTransform();
   sides_[1].pose = body_b.getWorldTransform();
+  DGD_ASSERT(manifold.getNumContacts() == contacts_);
   const btVector3 normal = FaceSide().pose.getBasis() * normal_;
   for (int i = 0; i < manifold.getNumContacts(); ++i) manifold.getContactPoint(i).m_normalWorldOnB = normal;
   if (order_by_impulse) OrderByImpulse(manifold);
@@ -225,6 +228,7 @@ void RecycledContacts::TurnNormals(const btCollisionObjectWrapper& body_a, const
 
 bool RecycledContacts::Update(const Side& a, const Side& b, const Options& options, btScalar time_step,
                               btPersistentManifold& manifold, btManifoldResult& output) {
+  DGD_ASSERT(output.getPersistentManifold() == &manifold);
   const PoseChange change = Compare(a, b, manifold);
   if (change == PoseChange::kChanged) return false;
   if (change == PoseChange::kMovedTogether) TurnNormals(a.body, b.body, options.order_points_by_impulse, manifold);
@@ -242,4 +246,5 @@ bool RecycledContacts::Update(const Side& a, const Side& b, const Options& optio
   return true;
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

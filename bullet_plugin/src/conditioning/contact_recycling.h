@@ -31,7 +31,8 @@
 class btManifoldResult;
 class btPersistentManifold;
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 class PairManifold;
 class PairMotion;
@@ -124,4 +125,5 @@ class RecycledContacts {
   int contacts_;
 };
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -22,7 +22,8 @@
 #include "dgd_bullet/linkage.h"
 #include "pipeline/body_velocity.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// On fewer points bodies rock, and would be given back what they slipped: fifty polytopes come to rest a tenth later.
 constexpr int kMinAnchors = 3;
@@ -47,6 +48,7 @@ class FrictionAnchors {
   /// @param time_step  Seconds; 0 to anchor nothing.
   FrictionAnchors(const btPersistentManifold& manifold, btScalar time_step)
       : a_(*manifold.getBody0()), b_(*manifold.getBody1()), time_step_(time_step) {
+    DGD_ASSERT(!(time_step < 0));
     max_slip_ = kMaxSlip * manifold.getContactBreakingThreshold();
     can_anchor_ = time_step > 0 && !a_.is_moved_by_app && !b_.is_moved_by_app;
     if (!can_anchor_) return;
@@ -74,6 +76,7 @@ class FrictionAnchors {
   void Anchor(btManifoldPoint& point, const btVector3& slip) const {
     DGD_ASSERT(slip.length2() <= btScalar(1.01) * max_slip_ * max_slip_);
     if (!CanBeAnchored(point)) return;  // This step's callback moves the surface.
+    DGD_ASSERT(can_anchor_ && btFabs(slip.dot(point.m_normalWorldOnB)) <= btScalar(1e-3) * max_slip_);
     const btVector3 half = btScalar(0.5) * slip;
     point.m_positionWorldOnA += half;
     point.m_positionWorldOnB -= half;
@@ -158,4 +161,5 @@ class FrictionAnchors {
   bool can_anchor_;
 };
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -9,12 +9,14 @@
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
+#include "dgd/assert.h"
 #include "dgd_bullet/linkage.h"
 #include "pipeline/contact_range.h"
 #include "pipeline/pair_motion.h"
 #include "shapes/bullet_conversions.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Metres: what Bullet's solver makes of this overlap is below roundoff.
 constexpr btScalar kJustTouching = btScalar(-1e-9);
@@ -42,6 +44,7 @@ inline void ShowTouching(btPersistentManifold& manifold, bool was_loaded, const 
         (was_loaded && gap <= near) ||
         double(gap) <= motion.Approach(FromBullet(point.m_positionWorldOnB), -FromBullet(point.m_normalWorldOnB));
     if (!touches) continue;
+    DGD_ASSERT(std::isfinite(gap));
     point.m_contactERP = gap / kJustTouching;
     point.m_contactPointFlags |= BT_CONTACT_FLAG_HAS_CONTACT_ERP;
     point.m_distance1 = kJustTouching;
@@ -57,4 +60,5 @@ inline void ForgetTouching(btPersistentManifold& manifold) {
   }
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -28,7 +28,8 @@
 #include "pipeline/pair_motion.h"
 #include "shapes/bullet_conversions.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Metres per second: Bullet's solver lets slower bodies come to rest (btContactSolverInfo's own default).
 constexpr double kSlowestRebound = 0.2;
@@ -69,8 +70,10 @@ inline void PrepareRebound(btManifoldPoint& point, const PairMotion& motion) {
   const double approach_in_solver = motion.IsOfLinks() ? approach + gain : approach;
   if (!after || !(approach_in_solver > 0)) return;
   const double pushed = gap < 0 && gap > -kDeepestPushed ? -gap * kErrorReduction / time_step : 0;
+  DGD_ASSERT(*after > 0 && pushed >= 0);
   point.m_combinedRestitution = btScalar(std::max(*after - pushed, 0.0) / approach_in_solver);
   if (gap > 0) point.m_distance1 = kJustTouching;
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

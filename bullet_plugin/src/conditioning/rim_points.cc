@@ -6,7 +6,8 @@
 
 #include "dgd/assert.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// Whether bodies turn against each other on a face that has more corners than the patch may have, a disc or a polygon
@@ -52,6 +53,7 @@ void AddRimPoint(const PosedShape& shape_a, const PosedShape& shape_b, const Con
                            : SupportPointOnceTurned(shape_b, -normal, -motion.Turn());
   const std::optional<dgd::Corner<double>> corner = facing.CornerAt(facing.frame.FromWorld(rim), is_a);
   if (!corner) return;
+  DGD_ASSERT(IsUnit(normal) && facing.overlap.size > 0);
   const double separation = corner->Separation();
   const Vector3 on_1 = is_a ? rim : Vector3(rim - separation * normal);
   AddComing({on_1, on_1 + separation * normal, separation}, normal, settings, motion, patch);
@@ -67,4 +69,5 @@ void AddRimPointOnPlane(const PosedShape& shape, const Contact& contact, const d
   AddComing({rim, rim + separation * normal, separation}, normal, settings, motion, patch);
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -14,11 +14,11 @@
 #include "dgd/contact_patch.h"
 #include "dgd/facing_faces.h"
 #include "dgd_bullet/linkage.h"
-#include "pipeline/contact.h"
 #include "pipeline/pair_motion.h"
 #include "shapes/posed_shape.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Adds the rim's coming contact to the patch of two shapes, if there is one.
 /// @param facing  The faces along the contact's normal, with their overlap.
@@ -31,4 +31,5 @@ void AddRimPointOnPlane(const PosedShape& shape, const Contact& contact, const d
                         const dgd::PatchSettings<double>& settings, const PairMotion& motion,
                         dgd::ContactPatch<double>& patch);
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

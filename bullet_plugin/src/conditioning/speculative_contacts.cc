@@ -8,7 +8,8 @@
 #include "pipeline/pair_distance.h"
 #include "pipeline/pair_query.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// Planes after which bodies count as meeting: two are usual.
@@ -31,6 +32,7 @@ void MovingPair::MoveTo(double time) {
 }
 
 double MovingPair::SeparationAlong(const Vector3& normal) const {
+  DGD_ASSERT(IsUnit(normal));
   return normal.dot(SupportPoint(b_, -normal) - SupportPoint(a_, normal));
 }
 
@@ -52,6 +54,7 @@ Contact MovingPair::AtStart(Contact contact) const {
   contact.separation += normal.dot(way_of(way_a_, contact.witness_1) - way_of(way_b_, contact.witness_2));
   const Vector3 on_a = contact.witness_1 - time_ * way_a_.translation;
   const Vector3 on_b = contact.witness_2 - time_ * way_b_.translation;
+  DGD_ASSERT(share_of_a_ >= 0 && share_of_a_ <= 1);
   // One place for both: the arm that counts is that of the body that gives way.
   const Vector3 place = share_of_a_ * on_a + (1 - share_of_a_) * on_b;
   contact.witness_1 = place + normal.dot(on_a - place) * normal;
@@ -72,6 +75,7 @@ bool TurnsClear(const PosedShape& shape_a, const PosedShape& shape_b, const Pair
 }
 
 void LetPass(dgd::ContactPatch<double>& patch, const Vector3& normal, const PairMotion& motion, double flush) {
+  DGD_ASSERT(IsUnit(normal) && flush >= 0);
   for (int i = 0; i < patch.size; ++i) {
     dgd::ContactPoint<double>& point = patch.points[static_cast<std::size_t>(i)];
     point.separation = std::max(point.separation, motion.Approach(point.on_2, normal) + flush);
@@ -105,6 +109,7 @@ PredictedEncounter PredictEncounter(MovingPair& pair, const dgd::Settings<double
 
 SpeculativeKind ClassifySpeculative(PairQuery& query, Contact& contact) {
   const PairMotion& motion = query.motion;
+  DGD_ASSERT(IsUnit(contact.normal) && query.flush >= 0);
   const bool is_touching = contact.separation <= query.range.touching;
   // What the motion closes is judged along the normal of the contacts.
   if (is_touching) query.TurnNormal(contact);
@@ -143,4 +148,5 @@ SpeculativeKind ClassifySpeculative(PairQuery& query, Contact& contact) {
   return SpeculativeKind::kPoint;
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

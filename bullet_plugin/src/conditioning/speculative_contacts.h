@@ -12,11 +12,11 @@
 #include "dgd/growth_distance.h"
 #include "dgd/motion.h"
 #include "dgd_bullet/linkage.h"
-#include "pipeline/contact.h"
 #include "pipeline/pair_motion.h"
 #include "shapes/posed_shape.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 struct PairQuery;
 
@@ -103,4 +103,5 @@ enum class SpeculativeKind {
 /// Classifies a certified contact by the bodies' motion. For kPoint, the contact becomes that one.
 SpeculativeKind ClassifySpeculative(PairQuery& query, Contact& contact);
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

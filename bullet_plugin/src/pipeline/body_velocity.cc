@@ -2,7 +2,10 @@
 
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+#include "dgd/assert.h"
+
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 // Only what Bullet's headers define is called, so that apps without multibodies need not link their code.
@@ -24,6 +27,7 @@ BodyVelocity VelocityOf(const btMultiBodyLinkCollider& link) {
   // A joint turns and moves all that comes after it, about the centre of mass of its own link.
   btTransform frame = link.getWorldTransform();
   for (int i = link.m_link; i != kBase; i = body.getLink(i).m_parent) {
+    DGD_ASSERT(i >= 0 && i < body.getNumLinks());
     const btMultibodyLink& joint = body.getLink(i);
     for (int dof = 0; dof < joint.m_dofCount; ++dof) {
       const btScalar speed = joint_velocities[joint.m_dofOffset + dof];
@@ -59,4 +63,5 @@ btScalar InverseMassOf(const btMultiBodyLinkCollider& link) {
   return mass > 0 ? 1 / mass : 0;
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -8,7 +8,8 @@
 
 class btMultiBodyLinkCollider;
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// World frame, metres and radians per second.
 struct BodyVelocity {
@@ -39,4 +40,5 @@ inline BodyVelocity VelocityOf(const btCollisionObject& object) {
   return link == nullptr ? BodyVelocity() : VelocityOf(*link);
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -6,7 +6,8 @@
 
 #include "dgd_bullet/linkage.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 inline bool HasFlag(const btCollisionObject& body_0, const btCollisionObject& body_1, int flag) {
   return ((body_0.getCollisionFlags() | body_1.getCollisionFlags()) & flag) != 0;
@@ -42,4 +43,5 @@ class ContactMaterials {
   btScalar damping_ = 0, stiffness_ = 0;
 };
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

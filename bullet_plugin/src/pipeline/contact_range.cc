@@ -9,7 +9,8 @@
 
 #include "conditioning/just_touching.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// Differences of depth, as parts of the breaking threshold, that do not matter to a simulation: 20 micrometres for
@@ -61,4 +62,5 @@ dgd::PatchSettings<double> PatchSettingsOf(const Options& options, const PairMan
           .max_points = options.patch_size};
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -14,7 +14,8 @@
 
 struct btDispatcherInfo;
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Distance or overlap that does not count when bodies pass or touch each other: metres, for a manifold with this
 /// breaking threshold. Bodies at rest tremble by less.
@@ -58,4 +59,5 @@ inline double SeparationLimit(const ContactRange& range, const PairMotion& motio
 dgd::PatchSettings<double> PatchSettingsOf(const Options& options, const PairManifold& manifold,
                                            const ContactRange& range, bool is_user_query);
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -8,10 +8,12 @@
 #include <cmath>
 #include <limits>
 
+#include "dgd/assert.h"
 #include "pipeline/pair_motion.h"
 #include "shapes/bullet_conversions.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// Cosine of the angle within which normals have one direction: of slopes that steeper surfaces must not displace.
@@ -31,6 +33,7 @@ class Reduction {
   Reduction(std::span<MeshContact> contacts, const dgd::PatchSettings<double>& settings, const PairMotion& motion,
             const btPersistentManifold& manifold)
       : contacts_(contacts), settings_(settings) {
+    DGD_ASSERT(!contacts.empty() && settings.max_points <= MANIFOLD_CACHE_SIZE);
     for (MeshContact& contact : contacts) {
       contact.touches =
           contact.separation <= settings.equal_depth ||
@@ -101,6 +104,7 @@ class Reduction {
       low = low.cwiseMin(along);
       high = high.cwiseMax(along);
     }
+    DGD_ASSERT(IsUnit(deepest.normal_on_b));
     MeshContact middle = deepest;
     middle.on_b = axes * ((low + high) / 2);
     double nearest_sq = std::numeric_limits<double>::infinity();
@@ -169,6 +173,7 @@ class Reduction {
 
   bool Keep(int i) {
     if (i == kNone) return false;
+    DGD_ASSERT(size_ < MANIFOLD_CACHE_SIZE);
     kept_[static_cast<std::size_t>(size_++)] = i;
     const MeshContact kept = At(i);
     for (MeshContact& contact : contacts_) {
@@ -180,8 +185,14 @@ class Reduction {
 
   double Weight(int i) const { return At(i).is_continued ? kClearly : 1; }
   int count() const { return static_cast<int>(contacts_.size()); }
-  const MeshContact& At(int i) const { return contacts_[static_cast<std::size_t>(i)]; }
-  const Vector3& Kept(int i) const { return At(kept_[static_cast<std::size_t>(i)]).on_b; }
+  const MeshContact& At(int i) const {
+    DGD_ASSERT(i >= 0 && i < count());
+    return contacts_[static_cast<std::size_t>(i)];
+  }
+  const Vector3& Kept(int i) const {
+    DGD_ASSERT(i >= 0 && i < size_);
+    return At(kept_[static_cast<std::size_t>(i)]).on_b;
+  }
 
   const std::span<MeshContact> contacts_;
   const dgd::PatchSettings<double>& settings_;
@@ -198,4 +209,5 @@ ReducedContacts ReduceContacts(std::span<MeshContact> contacts, const dgd::Patch
   return Reduction(contacts, settings, motion, manifold).Choose();
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -11,7 +11,8 @@
 
 class btPersistentManifold;
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 class PairMotion;
 
@@ -31,4 +32,5 @@ struct ReducedContacts {
 ReducedContacts ReduceContacts(std::span<MeshContact> contacts, const dgd::PatchSettings<double>& settings,
                                const PairMotion& motion, const btPersistentManifold& manifold);
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -12,7 +12,8 @@
 #include "dgd_bullet/linkage.h"
 #include "pipeline/manifold_writer.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Contacts, and which of the manifold's points they continue: the nearest one within the breaking threshold, by the
 /// place on body A, as in Bullet's own cache.
@@ -81,4 +82,5 @@ class ContinuedContacts {
   std::array<bool, MANIFOLD_CACHE_SIZE> is_continued_{};  // Indexed by the manifold's points.
 };
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

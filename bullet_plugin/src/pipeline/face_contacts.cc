@@ -7,11 +7,11 @@
 #include "conditioning/speculative_contacts.h"
 #include "dgd/assert.h"
 #include "dgd/facing_faces.h"
-#include "pipeline/contact.h"
 #include "pipeline/pair_patch.h"
 #include "pipeline/pair_query.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// Cosine of the last normal to a triangle's own above which the last one shows on which side of the triangle a body
@@ -59,6 +59,7 @@ bool IsTowards(const Vector3& normal, const PosedShape& convex, const PosedShape
 
 FaceContacts FindFaceContacts(PosedShape shape, const PosedShape& triangle, const Vector3& normal,
                               const TriangleQuery& query) {
+  DGD_ASSERT(IsUnit(normal) && query.flush >= 0);
   const PairMotion& motion = query.motion;
   const Vector3 deepest = SupportPoint(shape, normal), start = shape.pose.translation;
   Contact result;
@@ -110,4 +111,5 @@ FaceContacts FindTriangleFaceContacts(Narrowphase& narrowphase, PairCache& cache
   return {};  // FindTriangleContacts() has counted it.
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -9,7 +9,8 @@
 #include "pipeline/pair_state.h"
 #include "shapes/posed_shape.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// A mesh's query of each of its triangles.
 struct TriangleQuery {
@@ -39,4 +40,5 @@ FaceContacts FindFaceContacts(PosedShape shape, const PosedShape& triangle, cons
 FaceContacts FindTriangleFaceContacts(Narrowphase& narrowphase, PairCache& cache, const PairBodies& convex_and_triangle,
                                       const Vector3& normal, const TriangleQuery& query);
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

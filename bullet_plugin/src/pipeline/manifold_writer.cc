@@ -23,7 +23,8 @@
 #include "pipeline/user_query.h"
 #include "shapes/shape_adapter.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// The numbers of parts and triangles that a result gives new points, for which Bullet has no other use.
@@ -227,6 +228,7 @@ class BulletPatch {
  public:
   BulletPatch(const dgd::ContactPatch<double>& patch, const Vector3& normal)
       : size_(static_cast<std::size_t>(patch.size)) {
+    DGD_ASSERT(patch.size >= 0 && size_ <= contacts_.size() && (size_ == 0 || IsUnit(normal)));
     const btVector3 normal_on_b = ToBullet(-normal);
     for (std::size_t i = 0; i < size_; ++i) {
       const dgd::ContactPoint<double>& point = patch.points[i];
@@ -276,6 +278,7 @@ void UpdateManifold(const dgd::ContactPatch<double>& patch, const Vector3& norma
 void UpdateManifold(std::span<const ManifoldContact> contacts, const PairMotion& motion, const ManifoldUpdate& update,
                     btManifoldResult& output) {
   btPersistentManifold& manifold = *output.getPersistentManifold();
+  DGD_ASSERT(contacts.size() <= MANIFOLD_CACHE_SIZE);
   const bool was_loaded = IsLoaded(manifold);
   if (update.drop_stale && !NeedsBulletPath(output) && AreRepresentable(contacts) && AreBodiesRepresentable(output)) {
     WriteInPlace(contacts, update.use_friction_anchors ? btScalar(motion.TimeStep()) : 0, output);
@@ -290,6 +293,7 @@ void UpdateManifold(std::span<const ManifoldContact> contacts, const PairMotion&
 void CountStep(btPersistentManifold& manifold) {
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     btManifoldPoint& point = manifold.getContactPoint(i);
+    DGD_ASSERT(point.m_lifeTime >= 0);
     ++point.m_lifeTime;
     if (gContactProcessedCallback == nullptr) continue;
     gContactProcessedCallback(point, const_cast<btCollisionObject*>(manifold.getBody0()),
@@ -303,4 +307,5 @@ void DropPointsNotFinite(btPersistentManifold& manifold) {
   }
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

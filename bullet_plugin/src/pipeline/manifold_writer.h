@@ -18,7 +18,8 @@
 class btManifoldResult;
 class btPersistentManifold;
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 struct MeshTriangle;
 struct Options;
@@ -72,4 +73,5 @@ void CountStep(btPersistentManifold& manifold);
 /// Removes points whose distance, after a refresh, is not finite: those of bodies whose pose is not.
 void DropPointsNotFinite(btPersistentManifold& manifold);
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dgd/assert.h"
 #include "shapes/bullet_conversions.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// Sine of the angle within which directions count as one: above the rounding of normals and of flat meshes, far below
@@ -109,6 +111,7 @@ int MeshContacts::AddTriangle(const btVector3* corners, int part, int index) {
     box.low.setMin(corners[i]);
     box.high.setMax(corners[i]);
   }
+  DGD_ASSERT(boxes_.size() + 1 == triangles_.size() && states_.size() == boxes_.size());
   boxes_.push_back(box);
   states_.push_back(State::kNone);
   return triangles() - 1;
@@ -117,6 +120,7 @@ int MeshContacts::AddTriangle(const btVector3* corners, int part, int index) {
 void MeshContacts::Add(int triangle, const dgd::ContactPatch<double>& patch, const Vector3& normal,
                        const Vector3& way) {
   if (patch.size == 0) return;
+  DGD_ASSERT(triangle >= 0 && triangle < triangles() && IsUnit(normal));
   const std::size_t begin = contacts_.size();
   for (std::size_t i = 0; i < static_cast<std::size_t>(patch.size); ++i) {
     contacts_.push_back({-normal, patch.points[i].on_2, patch.points[i].separation, triangle, way});
@@ -137,6 +141,7 @@ void MeshContacts::RemoveGhosts() {
     if (!patch.counts) continue;
     for (std::size_t i = patch.begin; i < patch.end; ++i) contacts_[kept++] = contacts_[i];
   }
+  DGD_ASSERT(kept <= contacts_.size());
   contacts_.resize(kept);
   patches_.clear();
 }
@@ -174,6 +179,7 @@ bool MeshContacts::IsOnSeam(const MeshContact& contact) const {
 }
 
 bool MeshContacts::HasContacts(int triangle) const {
+  DGD_ASSERT(triangle >= 0 && triangle < triangles());
   return states_[static_cast<std::size_t>(triangle)] == State::kCounts;
 }
 
@@ -183,6 +189,7 @@ Vector3 MeshContacts::NormalOf(int index) const {
 }
 
 void MeshContacts::SortTriangles() {
+  DGD_ASSERT(!boxes_.empty() && sorted_.empty());
   btVector3 low = boxes_[0].low, high = low, width(0, 0, 0);
   for (const Box& box : boxes_) {
     low.setMin(box.low);
@@ -200,6 +207,7 @@ void MeshContacts::SortTriangles() {
 void MeshContacts::ClassifyFace(Patch& patch) {
   const Vector3 area = AreaOf(triangle(patch.triangle));
   if (!(area.squaredNorm() > 0)) return;
+  DGD_ASSERT(patch.begin < patch.end && patch.end <= contacts_.size());
   Vector3 face = rotation_ * area;
   const Vector3 normal = contacts_[patch.begin].normal_on_b;
   if (!(normal.cross(face).squaredNorm() <= kMaxSine * kMaxSine * face.squaredNorm())) return;
@@ -234,6 +242,7 @@ MeshContacts::Feature MeshContacts::HighestFeature(const MeshTriangle& triangle,
 }
 
 void MeshContacts::ClassifyFeature(std::size_t index) {
+  DGD_ASSERT(index < patches_.size() && sorted_.size() == triangles_.size());
   Patch& patch = patches_[index];
   const MeshTriangle& own = triangle(patch.triangle);
   const Vector3 normal = rotation_.transpose() * contacts_[patch.begin].normal_on_b;
@@ -288,4 +297,5 @@ void MeshContacts::CoverGhosts() {
   to_turn_.erase(std::unique(to_turn_.begin(), to_turn_.end()), to_turn_.end());
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

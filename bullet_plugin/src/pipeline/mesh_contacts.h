@@ -26,7 +26,8 @@
 #include "pipeline/mesh_triangle.h"
 #include "shapes/solver_types.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// A contact of a convex body, A, with a triangle of a mesh, B.
 struct MeshContact {
@@ -141,4 +142,5 @@ class MeshContacts {
   std::vector<int> to_turn_;
 };
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -10,7 +10,8 @@
 
 #include "dgd_bullet/linkage.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 struct MeshTriangle {
   std::array<btVector3, 3> corners;  ///< In the mesh's frame, scaled; metres.
@@ -67,4 +68,5 @@ class BoundTriangle {
   const btCollisionObjectWrapper* mesh_;
 };
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

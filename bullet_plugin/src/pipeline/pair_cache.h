@@ -12,7 +12,8 @@
 #include "shapes/hull_cache.h"
 #include "shapes/solver_types.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// The feature by which the last query was answered, with its data, and the shapes' hulls; all in the order that the
 /// shapes are solved in (ComesBefore()). A cache that does not fit the shapes any more costs time, and no result is
@@ -33,13 +34,19 @@ class PairCache {
 
   Kind kind() const { return kind_; }
   /// The shape that has the reference face, if there is one.
-  dgd::FaceHolder ReferenceSide() const { return side_; }
+  dgd::FaceHolder ReferenceSide() const {
+    DGD_ASSERT((side_ != dgd::FaceHolder::kNone) == (kind_ == Kind::kReferenceFace));
+    return side_;
+  }
   /// Whether the distance of the cores may be positive.
   bool MayBeApart() const { return kind_ != Kind::kPortal; }
   /// Whether the last normal may separate the shapes again. That of a reference face is updated with the face.
   bool HasAxis() const { return kind_ != Kind::kReferenceFace && dgd::HasNormal(warm_start_); }
   /// The last normal in shape A's frame; unit, if HasAxis().
-  const Vector3& NormalInA() const { return warm_start_.normal_1; }
+  const Vector3& NormalInA() const {
+    DGD_ASSERT(HasNormal());
+    return warm_start_.normal_1;
+  }
   bool HasNormal() const { return dgd::HasNormal(warm_start_); }
   dgd::WarmStart<double>& warm_start() { return warm_start_; }
   const dgd::WarmStart<double>& warm_start() const { return warm_start_; }
@@ -86,4 +93,5 @@ class PairCache {
   dgd::WarmStart<double> warm_start_;
 };
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

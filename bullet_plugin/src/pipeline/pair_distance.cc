@@ -48,6 +48,7 @@ bool TurnToLeastTranslation(const PosedShape& shape_a, const PosedShape& shape_b
   const double size = shape_a.set.CoreInradius() + shape_b.set.CoreInradius() + radius;
   const double negligible = kMinGain * tolerance * size;
   DGD_ASSERT(radius >= 0 && negligible >= 0);
+  DGD_ASSERT(!(turned.separation > contact.separation) || IsUnit(turned.normal));
   if (turned.separation > contact.separation + negligible) Set(turned, contact);
   if (IsCustom(shape_a, shape_b)) return false;
   if (turned.status != dgd::Status::kOptimal || !(turned.separation + radius > negligible)) return false;

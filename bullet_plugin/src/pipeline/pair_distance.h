@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "dgd/any_set.h"
-#include "pipeline/contact.h"
 #include "shapes/posed_shape.h"
 
 namespace dgd_bullet {

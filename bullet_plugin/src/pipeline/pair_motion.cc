@@ -4,9 +4,11 @@
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include "dgd/assert.h"
 #include "pipeline/body_velocity.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 double BoundingRadius(const btCollisionObject& object, const btVector3& from) {
   const btBroadphaseProxy* proxy = object.getBroadphaseHandle();
@@ -48,6 +50,9 @@ dgd::Motion<double> PairMotion::Twist::MotionOf(const Pose& pose, double time) c
 }
 
 PairMotion::PairMotion(const BoundedBody& body_a, const BoundedBody& body_b, double time_step)
-    : a_(Read(body_a, time_step)), b_(Read(body_b, time_step)), time_step_(time_step) {}
+    : a_(Read(body_a, time_step)), b_(Read(body_b, time_step)), time_step_(time_step) {
+  DGD_ASSERT(time_step > 0);
+}
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -12,7 +12,8 @@
 
 class btCollisionObject;
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Distance from a world point, as the body's origin, to the farthest corner of the body's bounding box: no point of
 /// the body is farther. Of a body that is in no broadphase, by Bullet's own bound, which computes a bounding box first.
@@ -64,6 +65,7 @@ class PairMotion {
   /// No point of either body approaches the other by more than this: along `normal` (unit, from A to B), or at all.
   /// Metres.
   double MaxApproach(const Vector3& normal) const {
+    DGD_ASSERT(!(std::abs(normal.squaredNorm() - 1) > 1e-3));
     return time_step_ * (normal.dot(RelativeVelocity()) + a_.RimSpeed(normal) + b_.RimSpeed(normal));
   }
   double MaxApproach() const {
@@ -78,6 +80,7 @@ class PairMotion {
 
   /// Metres by which turning takes points off the straight lines that Approach() assumes, at most.
   double MaxArc() const {
+    DGD_ASSERT(time_step_ >= 0);
     return time_step_ * time_step_ * (a_.angular.squaredNorm() * a_.radius + b_.angular.squaredNorm() * b_.radius) / 2;
   }
 
@@ -114,6 +117,7 @@ class PairMotion {
   /// Part of the relative motion of the bodies' surfaces that an impulse at their centres would give to A: 0 to 1.
   double ShareOfA() const {
     const double both = a_.inverse_mass + b_.inverse_mass;
+    DGD_ASSERT(!(a_.inverse_mass < 0) && !(b_.inverse_mass < 0));
     return both > 0 ? a_.inverse_mass / both : 0.5;
   }
 
@@ -149,4 +153,5 @@ class PairMotion {
   double time_step_ = 0;
 };
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

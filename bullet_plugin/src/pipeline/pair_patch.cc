@@ -1,13 +1,15 @@
 #include "pipeline/pair_patch.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "conditioning/rim_points.h"
 #include "conditioning/speculative_contacts.h"
 #include "dgd/assert.h"
 #include "pipeline/pair_query.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// Part of the step up to which a coming contact counts as one of this step: where a body that is in contact comes down
@@ -20,6 +22,7 @@ constexpr double kSoon = 0.5;
 
 dgd::ContactPatch<double> FindContactPatch(PairQuery& query, Contact& contact, bool& is_passing) {
   if (contact.status == dgd::Status::kSeparated) return {};
+  DGD_ASSERT(std::isfinite(contact.separation));
   const bool is_apart = contact.separation > std::min(query.range.touching, 0.0);
   const SpeculativeKind kind = is_apart ? ClassifySpeculative(query, contact) : SpeculativeKind::kPatch;
   if (kind == SpeculativeKind::kNone) return {};
@@ -67,4 +70,5 @@ dgd::ContactPatch<double> WitnessOnly(const Contact& contact) {
   return patch;
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -4,10 +4,10 @@
 #include "dgd/contact_patch.h"
 #include "dgd/facing_faces.h"
 #include "dgd_bullet/linkage.h"
-#include "pipeline/contact.h"
 #include "pipeline/pair_motion.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 struct PairQuery;
 
@@ -32,4 +32,5 @@ dgd::ContactPatch<double> FindPatch(const Contact& contact, const dgd::FacingFac
 /// The witness point alone: what Bullet's own algorithm would report.
 dgd::ContactPatch<double> WitnessOnly(const Contact& contact);
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

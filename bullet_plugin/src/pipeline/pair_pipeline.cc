@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "dgd/assert.h"
-#include "pipeline/contact.h"
 #include "pipeline/contact_range.h"
 #include "pipeline/pair_distance.h"
 #include "pipeline/pair_patch.h"
@@ -18,7 +17,8 @@
 #include "pipeline/shared_stages.h"
 #include "pipeline/user_query.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// Bounds that roundoff leaves farther apart than the tolerance still prove a result if they agree to this: 5
@@ -112,6 +112,7 @@ void Swap(PairContacts& contacts) {
 /// The contact, and from it the patch.
 PairOutcome FindContacts(PairQuery& query, PairContacts& contacts) {
   Contact contact = FindContact(query);
+  DGD_ASSERT(contact.iterations >= 0);
   if (!IsCertified(contact)) return {.fallback = FallbackOf(contact.status)};
   contacts.patch = FindContactPatch(query, contact, contacts.is_passing);
   contacts.normal = contact.normal;
@@ -149,6 +150,7 @@ PairOutcome SolveContacts(PairState& pair, PairCache& cache, const PairCall& cal
     return FindContacts(query, contacts);
   });
   if (outcome.fallback) return outcome;
+  DGD_ASSERT(cache.IsSwapped() == is_swapped);
   if (is_swapped) Swap(contacts);
   return WriteContacts(pair, call, contacts, is_swapped, cache.ReferenceSide(), outcome);
 }
@@ -168,6 +170,7 @@ PairOutcome FindTriangleContacts(PairState& pair, PairCache& cache, const PairBo
   contacts.patch.size = 0;
   contacts.is_passing = false;
   const bool is_swapped = ComesBefore(bodies.second, bodies.first);
+  DGD_ASSERT(!pair.manifold.IsOwn() && triangle_query.flush >= 0);
   const PairMotion& motion = is_swapped ? triangle_query.reverse_motion : triangle_query.motion;
   const double contact_distance = std::max(triangle_query.range.touching, 0.0);
   const auto get_motion = [&](const BoundedBody&, const BoundedBody&) -> const PairMotion& { return motion; };
@@ -188,4 +191,5 @@ PairOutcome FindTriangleContacts(PairState& pair, PairCache& cache, const PairBo
   return outcome;
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

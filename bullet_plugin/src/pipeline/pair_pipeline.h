@@ -8,7 +8,8 @@
 #include "pipeline/pair_patch.h"
 #include "pipeline/pair_state.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Finds the pair's contacts, and makes its manifold's points theirs.
 PairOutcome RunPipeline(PairState& pair, PairCache& cache, const PairCall& call);
@@ -18,4 +19,5 @@ PairOutcome RunPipeline(PairState& pair, PairCache& cache, const PairCall& call)
 PairOutcome FindTriangleContacts(PairState& pair, PairCache& cache, const PairBodies& bodies,
                                  const TriangleQuery& triangle_query, PairContacts& contacts);
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

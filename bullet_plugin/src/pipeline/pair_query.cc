@@ -10,7 +10,8 @@
 #include "pipeline/pair_distance.h"
 #include "shapes/shape_adapter.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// Relative tolerance of a user's own query, as by contactTest() and contactPairTest(); and how many times the
@@ -55,6 +56,7 @@ PairQuery::PairQuery(Narrowphase& narrowphase, const PairBodies& solved, bool is
 void PairQuery::SetLimits(const ContactRange& contact_range, const dgd::PatchSettings<double>& settings_of_patch) {
   DGD_ASSERT(settings_of_patch.max_points >= 1 &&
              settings_of_patch.max_points <= dgd::ContactPatch<double>::kMaxPoints);
+  DGD_ASSERT(!(contact_range.limit < contact_range.touching) && settings_of_patch.spacing >= 0);
   range = contact_range;
   patch_settings = settings_of_patch;
   settings.relative_tolerance =
@@ -73,6 +75,7 @@ void PairQuery::TurnNormal(Contact& contact) {
 
 void PairQuery::FindFacing(const Contact& contact) {
   if (std::exchange(has_facing, true)) return;
+  DGD_ASSERT(IsUnit(contact.normal));
   dgd::FindFacingFaces(shape_a.set, shape_a.pose, shape_b.set, shape_b.pose, contact, options.angular_tolerance,
                        facing);
   if (!wants_least_translation || !cache.MayBeApart()) return;
@@ -80,4 +83,5 @@ void PairQuery::FindFacing(const Contact& contact) {
   cache.SetReferenceFace(dgd::HolderOf(facing), had_face ? PairCache::Kind::kEdges : cache.kind());
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "dgd/any_set.h"
+#include "dgd/assert.h"
 #include "dgd/contact_patch.h"
 #include "dgd/facing_faces.h"
 #include "dgd_bullet/linkage.h"
 #include "dgd_bullet/options.h"
-#include "pipeline/contact.h"
 #include "pipeline/contact_range.h"
 #include "pipeline/pair_cache.h"
 #include "pipeline/pair_motion.h"
@@ -14,7 +14,8 @@
 #include "pipeline/pair_state.h"
 #include "shapes/posed_shape.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// The set of a body's convex shape in its pose. Throws what AdaptShape() does.
 /// @param hull      In and out: the hull of a hull of points.
@@ -41,6 +42,7 @@ struct PairQuery {
 
   /// Leaves no reference face to the next query, for a contact that is not on it.
   void DropReferenceFace() {
+    DGD_ASSERT(found_by != PairCache::Kind::kReferenceFace);
     if (cache.kind() == PairCache::Kind::kReferenceFace) cache.Set(found_by);
   }
 
@@ -64,4 +66,5 @@ struct PairQuery {
   dgd::FacingFaces<double> facing;  ///< The faces along the contact's normal.
 };
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

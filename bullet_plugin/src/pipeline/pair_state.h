@@ -16,7 +16,8 @@ class btDispatcher;
 class btManifoldResult;
 struct btDispatcherInfo;
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Two bodies, in the manifold's order or in the one that their shapes are solved in.
 struct PairBodies {
@@ -73,4 +74,5 @@ struct PairState {
   std::unique_ptr<RecycledContacts> recycled;  ///< Made once the pair has been at rest.
 };
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -14,7 +14,6 @@
 #include "conditioning/speculative_contacts.h"
 #include "dgd/assert.h"
 #include "dgd/half_space_patch.h"
-#include "pipeline/contact.h"
 #include "pipeline/contact_range.h"
 #include "pipeline/pair_motion.h"
 #include "pipeline/pair_patch.h"
@@ -23,7 +22,8 @@
 #include "shapes/bullet_conversions.h"
 #include "shapes/shape_adapter.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// A plane's point and upward unit normal; world.
@@ -112,6 +112,7 @@ PairOutcome FindContacts(PairState& pair, std::shared_ptr<const CachedHull>& hul
   }
   if (contacts.is_passing) LetPass(contacts.patch, contact.normal, motion, flush);
   outcome.patch_size = contacts.patch.size;
+  DGD_ASSERT(outcome.patch_size <= options.patch_size);
   return outcome;
 }
 
@@ -127,4 +128,5 @@ PairOutcome RunPlanePipeline(PairState& pair, std::shared_ptr<const CachedHull>&
   return WriteContacts(pair, call, contacts, false, dgd::FaceHolder::kSet2, outcome);
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

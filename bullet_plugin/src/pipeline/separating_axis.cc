@@ -21,7 +21,8 @@
 #include "pipeline/pair_motion.h"
 #include "shapes/shape_adapter.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// Error of Bullet's support functions relative to the distance of a shape's farthest point: some roundings of the
@@ -131,4 +132,5 @@ double SeparationAlong(const PlacedShape& shape_a, const PlacedShape& shape_b, c
   return std::isfinite(separation) ? separation : -std::numeric_limits<double>::infinity();
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -19,7 +19,8 @@
 #include "pipeline/pair_state.h"
 #include "shapes/shape_adapter.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// A convex shape where it is now, as part of a body or as all of it.
 struct PlacedShape {
@@ -61,4 +62,5 @@ std::optional<PairOutcome> TryCachedAxis(const PairState& pair, const PairCache&
   return std::nullopt;  // A user's shape has thrown: the next stage reports it.
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

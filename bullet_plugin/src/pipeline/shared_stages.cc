@@ -8,7 +8,8 @@
 #include "pipeline/pair_motion.h"
 #include "pipeline/user_query.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 bool UpdateRecycledContacts(PairState& pair, const RecycledContacts::Side& a, const RecycledContacts::Side& b,
                             const PairCall& call) {
@@ -32,6 +33,7 @@ PairOutcome WriteContacts(PairState& pair, const PairCall& call, const PairConta
     UpdateManifold(patch, contacts.normal, motion, ManifoldUpdateOf(options, call.output), call.output);
   }
   if (!pair.had_contact || contacts.is_passing || !MayRecycle(options, pair.manifold)) return outcome;
+  DGD_ASSERT(pair.manifold->getNumContacts() > 0);
   const PairBodies solved = call.bodies.InOrder(is_swapped);
   const ReferenceFace face = ReferenceFaceOf(solved.first, solved.second, side, *pair.manifold);
   pair.is_recyclable =
@@ -46,6 +48,7 @@ PairOutcome SolveByBullet(PairState& pair, const PairCall& call, Fallback reason
     return {.fallback = reason};
   }
   if (!pair.EnsureManifold(call)) return {.fallback = Fallback::kNoMemory};
+  DGD_ASSERT(call.output.getPersistentManifold() == pair.manifold.Get());
   pair.narrowphase.FallBack(call.dispatcher, &call.bodies.first, &call.bodies.second, call.info, call.output);
   if (pair.manifold.IsOwn()) {
     call.output.refreshContactPoints();
@@ -54,4 +57,5 @@ PairOutcome SolveByBullet(PairState& pair, const PairCall& call, Fallback reason
   return {.fallback = reason};
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -12,7 +12,8 @@
 #include "pipeline/pair_patch.h"
 #include "pipeline/pair_state.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// @return whether the cached contacts are still those of the pair, and up to date.
 bool UpdateRecycledContacts(PairState& pair, const RecycledContacts::Side& a, const RecycledContacts::Side& b,
@@ -52,4 +53,5 @@ PairOutcome CatchFailures(const Solve& solve) try {
   return {.fallback = Fallback::kInvalid};
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -7,7 +7,10 @@
 #include <cstdio>
 #include <utility>
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+#include "dgd/assert.h"
+
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 constexpr btScalar kNormalLength = btScalar(0.1);  // Metres.
@@ -22,6 +25,7 @@ Points Around(const btPersistentManifold& manifold) {
   const int count = manifold.getNumContacts();
   btVector3 x, y, middle(0, 0, 0);
   btPlaneSpace1(manifold.getContactPoint(0).m_normalWorldOnB, x, y);
+  DGD_ASSERT(count >= 1 && count <= MANIFOLD_CACHE_SIZE);
   Points points{};
   for (int i = 0; i < count; ++i) {
     points[std::size_t(i)] = &manifold.getContactPoint(i);
@@ -66,4 +70,5 @@ void DrawContacts(const btPersistentManifold& manifold, btIDebugDraw* drawer) {
   if ((mode & btIDebugDraw::DBG_DrawText) != 0) DrawSeparation(manifold.getContactPoint(0), *drawer);
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -6,7 +6,8 @@
 class btIDebugDraw;
 class btPersistentManifold;
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Shows a drawer that wants to see them the contacts of a manifold as the solver is given them, however they were
 /// found: drawing changes nothing. With DBG_DrawContactPoints in its mode the patch's outline on either body, and its
@@ -14,4 +15,5 @@ namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 /// @param drawer  Or null.
 void DrawContacts(const btPersistentManifold& manifold, btIDebugDraw* drawer);
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

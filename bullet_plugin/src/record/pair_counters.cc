@@ -6,7 +6,8 @@
 
 #include "dgd/assert.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 constexpr int kTypes = STATIC_PLANE_PROXYTYPE + 1;
@@ -84,4 +85,5 @@ std::vector<PairStatistics> PairCounters::Read() const {
   return pairs;
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -9,7 +9,8 @@
 #include "dgd_bullet/statistics.h"
 #include "pipeline/pair_outcome.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Each number is counted on its own, relaxed: nothing is inferred from two of them while they are counted.
 class PairCounters {
@@ -38,4 +39,5 @@ class PairCounters {
   std::vector<Row> rows_;
 };
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -19,7 +19,8 @@
 #include "record/record_format.h"
 #include "shapes/shape_adapter.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// The content of a shape's block.
@@ -58,7 +59,7 @@ class ShapeContent {
   Content With(const dgd::OneOf<Cores...>& core) const {
     return core.Visit([this](const auto& one) { return With(one); });
   }
-  /// Of no Bullet shape.
+  /// No Bullet shape has these cores.
   Content With(const dgd::Frustum<double>&) const { return std::nullopt; }
   Content With(const dgd::Ellipsoid<double>&) const { return std::nullopt; }
   Content With(const dgd::CustomCore&) const { return std::nullopt; }
@@ -231,4 +232,5 @@ std::uint64_t Recorder::pair_count() const { return writer_->pair_count(); }
 
 void Recorder::Close() { writer_->Close(); }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

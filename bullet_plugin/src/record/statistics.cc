@@ -5,7 +5,8 @@
 
 #include "shapes/shape_type_name.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 std::string NameOf(int type) {
@@ -60,4 +61,5 @@ std::string ToJson(const Statistics& statistics) {
   return json.str();
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <limits>
 
+#include "dgd/assert.h"
 #include "dgd_bullet/linkage.h"
 #include "shapes/solver_types.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Stored as Eigen will load it: a pair of numbers and one. A pair that is loaded from two single stores, as Eigen's
 /// own constructor makes them, waits for both to reach the cache, some 12 cycles; most queries take few hundred.
@@ -29,7 +31,9 @@ constexpr int kZAxis = 2;
 
 /// The two axes that follow Bullet's axis `up_axis` cyclically.
 struct AcrossAxes {
-  explicit AcrossAxes(int up_axis) : x(up_axis == kZAxis ? 0 : up_axis + 1), y(x == kZAxis ? 0 : x + 1) {}
+  explicit AcrossAxes(int up_axis) : x(up_axis == kZAxis ? 0 : up_axis + 1), y(x == kZAxis ? 0 : x + 1) {
+    DGD_ASSERT(up_axis >= 0 && up_axis <= kZAxis);
+  }
 
   int x, y;
 };
@@ -68,4 +72,5 @@ inline Pose FromBullet(const btTransform& transform, int up_axis = kZAxis) {
   return pose;
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

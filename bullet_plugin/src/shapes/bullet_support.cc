@@ -8,7 +8,8 @@
 #include "dgd/convex_hull.h"
 #include "shapes/bullet_conversions.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// What the shape's arithmetic, in Bullet's precision, may be off by: a few roundings. Four times as much leaves one
@@ -40,4 +41,5 @@ dgd::CustomCore CustomSupport(const btConvexShape& shape, double radius) {
   return {&shape, Support, center, inradius, kAccuracy};
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

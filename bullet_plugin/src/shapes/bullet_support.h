@@ -6,7 +6,8 @@
 
 class btConvexShape;
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Keeps nothing of the shape from one query to the next, so that it cannot be out of date. The shape must outlive it.
 /// The centre is the mean of the support points along the axes. An inradius is only computed for a `radius` of 0, from
@@ -14,4 +15,5 @@ namespace dgd_bullet::inline DGD_BULLET_PRECISION {
 /// @param radius  That the core is rounded by, metres.
 dgd::CustomCore CustomSupport(const btConvexShape& shape, double radius);
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -11,9 +11,11 @@
 #include <utility>
 
 #include "algorithms/prefetch.h"
+#include "dgd/assert.h"
 #include "shapes/shape_points.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 std::vector<unsigned char> CopyBytes(const ShapePoints& points) {
@@ -66,6 +68,7 @@ CachedHull::CachedHull(const btConvexShape& shape, int scanned_queries)
 bool CachedHull::Matches(const btConvexShape& shape) const {
   if (&shape != shape_) return false;
   const ShapePoints points(shape);
+  DGD_ASSERT(bytes_.empty() || points_.empty());
   if (points.Count() != count_ || !(points.Scaling() == scaling_)) return false;
   if (!bytes_.empty()) {
     // Another type of shape, which has no array, may have taken the address.
@@ -126,6 +129,7 @@ std::shared_ptr<const CachedHull> HullCache::FindShared(const btConvexShape& sha
   const unsigned later = hulls_made_.fetch_add(1, std::memory_order_relaxed) % kSpread;
   auto hull = std::make_shared<const CachedHull>(shape, kScannedQueries + static_cast<int>(later));
   const std::unique_lock lock(mutex_);
+  DGD_ASSERT(hull->Matches(shape));
   hulls_[&shape] = hull;
   if (hulls_.size() >= prune_at_) Prune();
   return hull;
@@ -136,4 +140,5 @@ void HullCache::Prune() {
   prune_at_ = std::max<std::size_t>(64, 2 * hulls_.size());
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -27,7 +27,8 @@
 
 class btConvexShape;
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Whose query a hull is for.
 enum class HullUse {
@@ -89,4 +90,5 @@ class HullCache {
   std::atomic<unsigned> hulls_made_ = 0;
 };
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

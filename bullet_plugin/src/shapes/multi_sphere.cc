@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <limits>
 
+#include "dgd/assert.h"
 #include "shapes/bullet_conversions.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 double RadiusOf(const btMultiSphereShape& spheres, int i) {
@@ -40,6 +42,7 @@ bool AreSpheres(const btMultiSphereShape& spheres) {
 }
 
 double SmallestRadius(const btMultiSphereShape& spheres) {
+  DGD_ASSERT(spheres.getSphereCount() > 0);
   double smallest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < spheres.getSphereCount(); ++i) smallest = std::min(smallest, RadiusOf(spheres, i));
   return smallest;
@@ -53,9 +56,11 @@ bool HaveOneRadius(const btMultiSphereShape& spheres) {
 }
 
 dgd::CustomCore CoreOfSpheres(const btMultiSphereShape& spheres) {
+  DGD_ASSERT(AreSpheres(spheres));
   Vector3 center = Vector3::Zero();
   for (int i = 0; i < spheres.getSphereCount(); ++i) center += CenterOf(spheres, i) / double(spheres.getSphereCount());
   return {&spheres, Support, center, 0, 0};
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

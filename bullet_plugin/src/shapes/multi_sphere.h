@@ -6,7 +6,8 @@
 #include "dgd/shapes/custom_core.h"
 #include "dgd_bullet/linkage.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Whether the scaling leaves the spheres spheres. With another one, Bullet's support function is not that of a convex
 /// set, and the shape goes through it (bullet_support.h).
@@ -23,4 +24,5 @@ bool HaveOneRadius(const btMultiSphereShape& spheres);
 /// not converge. The shape must outlive it.
 dgd::CustomCore CoreOfSpheres(const btMultiSphereShape& spheres);
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

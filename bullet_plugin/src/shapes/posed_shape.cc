@@ -1,5 +1,9 @@
 #include "shapes/posed_shape.h"
 
+#include <cmath>
+
+#include "dgd/assert.h"
+
 namespace dgd_bullet {
 namespace {
 
@@ -12,6 +16,7 @@ void MoveCenterNear(const Vector3& point, PosedShape& shape) {
 Vector3 CenterOf(const PosedShape& shape) { return shape.pose * shape.set.Center(); }
 
 Vector3 SupportPoint(const PosedShape& shape, const Vector3& direction) {
+  DGD_ASSERT(!(std::abs(direction.squaredNorm() - 1) > 1e-3));
   const Vector3 local = shape.pose.rotation.transpose() * direction;
   return shape.pose * shape.set.CoreSupport(local) + shape.set.Radius() * direction;
 }

@@ -12,7 +12,8 @@
 #include "shapes/multi_sphere.h"
 #include "shapes/shape_points.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// Radius as a part of a box's least half extent: boxes tip early by as much (tests/physics, tip), and boxes at rest
@@ -130,4 +131,5 @@ bool ShowsFaces(const btCollisionShape& shape) {
   }
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

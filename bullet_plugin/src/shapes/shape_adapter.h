@@ -15,7 +15,8 @@
 
 class btBoxShape;
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// A margin that is larger than a box or cylinder leaves Bullet a negative core, which is no set: its extent counts as
 /// zero. NaN stays NaN, which the set rejects.
@@ -48,4 +49,5 @@ PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, 
 /// spheres, scaled shapes, an app's own. Planes and meshes have faces, too.
 bool ShowsFaces(const btCollisionShape& shape);
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

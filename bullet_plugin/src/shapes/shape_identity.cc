@@ -9,7 +9,8 @@
 #include "shapes/shape_adapter.h"
 #include "shapes/shape_points.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 /// The numbers that make a shape what it is, besides its margin; none of a hull of points, whose hull is compared.
@@ -50,17 +51,10 @@ int AxisOf(const btCollisionShape& shape, int type) {
 }  // namespace
 
 bool ShapeIdentity::IsComparable(const btCollisionShape& shape) {
-  switch (shape.getShapeType()) {
-    case CONE_SHAPE_PROXYTYPE:
-    case SPHERE_SHAPE_PROXYTYPE:
-    case BOX_SHAPE_PROXYTYPE:
-    case CAPSULE_SHAPE_PROXYTYPE:
-    case CYLINDER_SHAPE_PROXYTYPE:
-    case STATIC_PLANE_PROXYTYPE:
-      return true;
-    default:
-      return IsHullOfPoints(static_cast<const btConvexShape&>(shape));
-  }
+  const int type = shape.getShapeType();
+  return type == CONE_SHAPE_PROXYTYPE || type == SPHERE_SHAPE_PROXYTYPE || type == BOX_SHAPE_PROXYTYPE ||
+         type == CAPSULE_SHAPE_PROXYTYPE || type == CYLINDER_SHAPE_PROXYTYPE || type == STATIC_PLANE_PROXYTYPE ||
+         IsHullOfPoints(static_cast<const btConvexShape&>(shape));
 }
 
 ShapeIdentity::ShapeIdentity(const btCollisionShape& shape)
@@ -82,15 +76,10 @@ bool ShapeIdentity::Matches(const btCollisionShape& shape, const std::shared_ptr
 }
 
 bool IsPolytope(const btCollisionShape& shape) {
-  switch (shape.getShapeType()) {
-    case BOX_SHAPE_PROXYTYPE:
-    case STATIC_PLANE_PROXYTYPE:
-      return true;
-    case MULTI_SPHERE_SHAPE_PROXYTYPE:
-      return false;
-    default:
-      return IsHullOfPoints(static_cast<const btConvexShape&>(shape));
-  }
+  const int type = shape.getShapeType();
+  if (type == BOX_SHAPE_PROXYTYPE || type == STATIC_PLANE_PROXYTYPE) return true;
+  return type != MULTI_SPHERE_SHAPE_PROXYTYPE && IsHullOfPoints(static_cast<const btConvexShape&>(shape));
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

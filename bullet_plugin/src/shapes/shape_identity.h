@@ -13,7 +13,8 @@
 
 class btCollisionShape;
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 class ShapeIdentity {
  public:
@@ -38,4 +39,5 @@ class ShapeIdentity {
 /// Whether a shape does not roll: a polytope with a margin, or a half-space.
 bool IsPolytope(const btCollisionShape& shape);
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

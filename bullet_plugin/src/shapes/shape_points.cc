@@ -14,7 +14,8 @@
 #include "dgd/assert.h"
 #include "shapes/multi_sphere.h"
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 const btVector3 kUnscaled(1, 1, 1);
@@ -56,29 +57,27 @@ bool IsHullOfPoints(const btConvexShape& shape) {
 
 ShapePoints::ShapePoints(const btConvexShape& shape)
     : shape_(shape), stride_(sizeof(btVector3)), is_double_(sizeof(btScalar) == sizeof(double)), scaling_(&kUnscaled) {
+  const auto set_array = [this](const btVector3* points, int count, const btVector3& scaling) {
+    count_ = count;
+    is_vector_array_ = count > 0;
+    if (count > 0) base_ = reinterpret_cast<const unsigned char*>(points);
+    scaling_ = &scaling;
+  };
   switch (shape.getShapeType()) {
     case CONVEX_HULL_SHAPE_PROXYTYPE: {
       const auto& hull = static_cast<const btConvexHullShape&>(shape);
-      count_ = hull.getNumPoints();
-      if (count_ > 0) base_ = reinterpret_cast<const unsigned char*>(hull.getUnscaledPoints());
-      is_vector_array_ = count_ > 0;
-      scaling_ = &hull.getLocalScalingNV();
+      set_array(hull.getNumPoints() > 0 ? hull.getUnscaledPoints() : nullptr, hull.getNumPoints(),
+                hull.getLocalScalingNV());
       break;
     }
     case CONVEX_POINT_CLOUD_SHAPE_PROXYTYPE: {
       const auto& cloud = static_cast<const btConvexPointCloudShape&>(shape);
-      count_ = cloud.getNumPoints();
-      base_ = reinterpret_cast<const unsigned char*>(cloud.getUnscaledPoints());
-      is_vector_array_ = count_ > 0;
-      scaling_ = &cloud.getLocalScalingNV();
+      set_array(cloud.getUnscaledPoints(), cloud.getNumPoints(), cloud.getLocalScalingNV());
       break;
     }
     case MULTI_SPHERE_SHAPE_PROXYTYPE: {
       const auto& spheres = static_cast<const btMultiSphereShape&>(shape);
-      count_ = spheres.getSphereCount();
-      base_ = reinterpret_cast<const unsigned char*>(&spheres.getSpherePosition(0));
-      is_vector_array_ = true;
-      scaling_ = &spheres.getLocalScalingNV();
+      set_array(&spheres.getSpherePosition(0), spheres.getSphereCount(), spheres.getLocalScalingNV());
       break;
     }
     case TETRAHEDRAL_SHAPE_PROXYTYPE:
@@ -125,6 +124,7 @@ std::vector<Vector3> AllPoints(const btConvexShape& shape) {
         &collector, btVector3(-limit, -limit, -limit), btVector3(limit, limit, limit));
     return std::move(collector.points);
   }
+  DGD_ASSERT(IsHullOfPoints(shape));
   const ShapePoints source(shape);
   std::vector<Vector3> points;
   points.reserve(static_cast<std::size_t>(source.Count()));
@@ -132,4 +132,5 @@ std::vector<Vector3> AllPoints(const btConvexShape& shape) {
   return points;
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

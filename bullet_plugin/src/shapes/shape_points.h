@@ -9,7 +9,8 @@
 
 class btConvexShape;
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 
 /// Whether the shape is the hull of points, with a radius: hull, point cloud, tetrahedron, convex triangle mesh, and
 /// spheres of one radius.
@@ -41,4 +42,5 @@ class ShapePoints {
 /// All points of the shape that belong to its hull.
 std::vector<Vector3> AllPoints(const btConvexShape& shape);
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

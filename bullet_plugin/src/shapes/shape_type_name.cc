@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <array>
 
-namespace dgd_bullet::inline DGD_BULLET_PRECISION {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 struct TypeName {
@@ -39,4 +40,5 @@ const char* ShapeTypeName(int type) {
   return found != kTypeNames.end() ? found->name : nullptr;
 }
 
-}  // namespace dgd_bullet::inline DGD_BULLET_PRECISION
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet
