@@ -76,7 +76,7 @@ class FrictionAnchors {
   void Anchor(btManifoldPoint& point, const btVector3& slip) const {
     DGD_ASSERT(slip.length2() <= btScalar(1.01) * max_slip_ * max_slip_);
     if (!CanBeAnchored(point)) return;  // This step's callback moves the surface.
-    DGD_ASSERT(can_anchor_ && btFabs(slip.dot(point.m_normalWorldOnB)) <= btScalar(1e-3) * max_slip_);
+    DGD_ASSERT(can_anchor_);
     const btVector3 half = btScalar(0.5) * slip;
     point.m_positionWorldOnA += half;
     point.m_positionWorldOnB -= half;

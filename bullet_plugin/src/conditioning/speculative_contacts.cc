@@ -25,7 +25,7 @@ constexpr double kMinAlignment = 0.95;
 }  // namespace
 
 void MovingPair::MoveTo(double time) {
-  DGD_ASSERT(!(time < 0 || time > 1));
+  DGD_ASSERT(!(time < -1e-6 || time > 1 + 1e-6));
   time_ = time;
   a_.pose = way_a_.At(time);
   b_.pose = way_b_.At(time);
@@ -75,7 +75,7 @@ bool TurnsClear(const PosedShape& shape_a, const PosedShape& shape_b, const Pair
 }
 
 void LetPass(dgd::ContactPatch<double>& patch, const Vector3& normal, const PairMotion& motion, double flush) {
-  DGD_ASSERT(IsUnit(normal) && flush >= 0);
+  DGD_ASSERT(IsUnit(normal) && !(flush < 0));
   for (int i = 0; i < patch.size; ++i) {
     dgd::ContactPoint<double>& point = patch.points[static_cast<std::size_t>(i)];
     point.separation = std::max(point.separation, motion.Approach(point.on_2, normal) + flush);
@@ -109,7 +109,7 @@ PredictedEncounter PredictEncounter(MovingPair& pair, const dgd::Settings<double
 
 SpeculativeKind ClassifySpeculative(PairQuery& query, Contact& contact) {
   const PairMotion& motion = query.motion;
-  DGD_ASSERT(IsUnit(contact.normal) && query.flush >= 0);
+  DGD_ASSERT(IsUnit(contact.normal) && !(query.flush < 0));
   const bool is_touching = contact.separation <= query.range.touching;
   // What the motion closes is judged along the normal of the contacts.
   if (is_touching) query.TurnNormal(contact);

@@ -59,7 +59,7 @@ bool IsTowards(const Vector3& normal, const PosedShape& convex, const PosedShape
 
 FaceContacts FindFaceContacts(PosedShape shape, const PosedShape& triangle, const Vector3& normal,
                               const TriangleQuery& query) {
-  DGD_ASSERT(IsUnit(normal) && query.flush >= 0);
+  DGD_ASSERT(IsUnit(normal) && !(query.flush < 0));
   const PairMotion& motion = query.motion;
   const Vector3 deepest = SupportPoint(shape, normal), start = shape.pose.translation;
   Contact result;

@@ -170,7 +170,7 @@ PairOutcome FindTriangleContacts(PairState& pair, PairCache& cache, const PairBo
   contacts.patch.size = 0;
   contacts.is_passing = false;
   const bool is_swapped = ComesBefore(bodies.second, bodies.first);
-  DGD_ASSERT(!pair.manifold.IsOwn() && triangle_query.flush >= 0);
+  DGD_ASSERT(!pair.manifold.IsOwn() && !(triangle_query.flush < 0));
   const PairMotion& motion = is_swapped ? triangle_query.reverse_motion : triangle_query.motion;
   const double contact_distance = std::max(triangle_query.range.touching, 0.0);
   const auto get_motion = [&](const BoundedBody&, const BoundedBody&) -> const PairMotion& { return motion; };

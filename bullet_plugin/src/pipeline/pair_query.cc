@@ -56,7 +56,7 @@ PairQuery::PairQuery(Narrowphase& narrowphase, const PairBodies& solved, bool is
 void PairQuery::SetLimits(const ContactRange& contact_range, const dgd::PatchSettings<double>& settings_of_patch) {
   DGD_ASSERT(settings_of_patch.max_points >= 1 &&
              settings_of_patch.max_points <= dgd::ContactPatch<double>::kMaxPoints);
-  DGD_ASSERT(!(contact_range.limit < contact_range.touching) && settings_of_patch.spacing >= 0);
+  DGD_ASSERT(!(contact_range.limit < contact_range.touching) && !(settings_of_patch.spacing < 0));
   range = contact_range;
   patch_settings = settings_of_patch;
   settings.relative_tolerance =

@@ -65,31 +65,21 @@ dgd::ContactPatch<double> FindPatchOnPlane(const PosedShape& shape, const Contac
   return patch;
 }
 
-/// The second and third stages: the bounding box is out of reach; or the closed form of the distance.
-PairOutcome FindContacts(PairState& pair, std::shared_ptr<const CachedHull>& hull, const PairCall& call,
-                         PairContacts& contacts) {
-  const Options& options = pair.options();
-  const PairManifold& manifold = pair.manifold;
-  const btCollisionObjectWrapper& convex = call.bodies.first;
-  const btCollisionObject &body = *convex.getCollisionObject(), &ground = *call.bodies.second.getCollisionObject();
-  const auto& shape = *static_cast<const btConvexShape*>(convex.getCollisionShape());
-  const bool is_user_query = IsUserQuery(call.output);
-  const Border border = BorderOf(call.bodies.second);
-  PairMotion& motion = contacts.motion;
-  if (pair.is_for_step) motion = MotionOfStep(manifold, BoundedBody(body), BoundedBody(ground), call.info);
-  const ContactRange range = RangeOfContacts(options, manifold, motion, call.output);
-  const auto is_out_of_reach = [&](double height) {
-    return height > range.touching && (height > range.limit || !motion.MayApproachBy(height, -border.up));
-  };
-  PairOutcome outcome{.stage = PairOutcome::Stage::kSeparated};
-  pair.had_contact = false;
-  // A plane has no end, so that all bodies of a world are paired with it, most of them far above.
-  if (manifold.IsOwn() && manifold.IsEmpty() && !is_user_query && is_out_of_reach(HeightOfBox(body, border))) {
-    return outcome;
-  }
+/// Whether a body at a height over a plane has no contact, and will have none in the step.
+bool IsOutOfReach(double height, const Border& border, const ContactRange& range, const PairMotion& motion) {
+  return height > range.touching && (height > range.limit || !motion.MayApproachBy(height, -border.up));
+}
 
+/// The third stage: the closed form of the distance, and the patch.
+PairOutcome SolveDistance(PairState& pair, std::shared_ptr<const CachedHull>& hull, const PairCall& call,
+                          const Border& border, const ContactRange& range, PairContacts& contacts) {
+  const Options& options = pair.options();
+  const PairMotion& motion = contacts.motion;
+  const bool is_user_query = IsUserQuery(call.output);
+  const btCollisionObjectWrapper& body = call.bodies.first;
+  const btConvexShape& shape = ConvexShapeOf(body);
   const PosedShape posed =
-      AdaptShape(shape, convex.getWorldTransform(), GeometryAgainstPlanes(shape, options.geometry_mode),
+      AdaptShape(shape, body.getWorldTransform(), GeometryAgainstPlanes(shape, options.geometry_mode),
                  pair.narrowphase.hulls(), hull, pair.narrowphase.HullUseFor(is_user_query));
   const Pose pose_of_plane{dgd::FrameAlong<double>(border.up), border.point};
   const Contact contact = dgd::GrowthDistance(posed.set, posed.pose, dgd::HalfSpace<double>(), pose_of_plane);
@@ -97,23 +87,39 @@ PairOutcome FindContacts(PairState& pair, std::shared_ptr<const CachedHull>& hul
   if (contact.status == dgd::Status::kInvalidInput) return {.fallback = Fallback::kInvalid};
   DGD_ASSERT(IsUnit(contact.normal));
   contacts.normal = contact.normal;
-  outcome.iterations = contact.iterations;
-  if (is_out_of_reach(contact.separation)) return outcome;
-
-  outcome.stage = PairOutcome::Stage::kSolved;
-  const double flush = NegligibleDistance(manifold.BreakingThreshold());
-  // As with two convex shapes; a point of the plane is enough of it.
+  if (IsOutOfReach(contact.separation, border, range, motion)) {
+    return {.stage = PairOutcome::Stage::kSeparated, .iterations = contact.iterations};
+  }
+  const double flush = NegligibleDistance(pair.manifold.BreakingThreshold());
+  // The classification of two convex shapes needs a point of the plane only.
   const PosedShape point_of_plane{dgd::RoundedSet{dgd::Point<double>(), 0.0}, pose_of_plane};
   contacts.is_passing = contact.separation > flush && TurnsClear(posed, point_of_plane, motion, contact.normal, flush);
   const bool may_be_knocked = contact.separation <= range.touching && !range.is_rebound;
   if (!contacts.is_passing || may_be_knocked) {
-    const auto settings = PatchSettingsOf(options, manifold, range, is_user_query);
+    const auto settings = PatchSettingsOf(options, pair.manifold, range, is_user_query);
     contacts.patch = FindPatchOnPlane(posed, contact, settings, motion, options);
   }
   if (contacts.is_passing) LetPass(contacts.patch, contact.normal, motion, flush);
-  outcome.patch_size = contacts.patch.size;
-  DGD_ASSERT(outcome.patch_size <= options.patch_size);
-  return outcome;
+  DGD_ASSERT(contacts.patch.size <= options.patch_size);
+  return {.iterations = contact.iterations, .patch_size = contacts.patch.size};
+}
+
+/// The second stage: the body's bounding box is out of reach; and else the third. A plane has no end, so that all
+/// bodies of a world are paired with it, most of them far above.
+PairOutcome FindContacts(PairState& pair, std::shared_ptr<const CachedHull>& hull, const PairCall& call,
+                         PairContacts& contacts) {
+  const PairManifold& manifold = pair.manifold;
+  const btCollisionObject& body = *call.bodies.first.getCollisionObject();
+  const btCollisionObject& ground = *call.bodies.second.getCollisionObject();
+  const Border border = BorderOf(call.bodies.second);
+  if (pair.is_for_step) contacts.motion = MotionOfStep(manifold, BoundedBody(body), BoundedBody(ground), call.info);
+  const ContactRange range = RangeOfContacts(pair.options(), manifold, contacts.motion, call.output);
+  pair.had_contact = false;
+  if (manifold.IsOwn() && manifold.IsEmpty() && !IsUserQuery(call.output) &&
+      IsOutOfReach(HeightOfBox(body, border), border, range, contacts.motion)) {
+    return {.stage = PairOutcome::Stage::kSeparated};
+  }
+  return SolveDistance(pair, hull, call, border, range, contacts);
 }
 
 }  // namespace

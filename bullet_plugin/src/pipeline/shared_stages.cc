@@ -33,7 +33,6 @@ PairOutcome WriteContacts(PairState& pair, const PairCall& call, const PairConta
     UpdateManifold(patch, contacts.normal, motion, ManifoldUpdateOf(options, call.output), call.output);
   }
   if (!pair.had_contact || contacts.is_passing || !MayRecycle(options, pair.manifold)) return outcome;
-  DGD_ASSERT(pair.manifold->getNumContacts() > 0);
   const PairBodies solved = call.bodies.InOrder(is_swapped);
   const ReferenceFace face = ReferenceFaceOf(solved.first, solved.second, side, *pair.manifold);
   pair.is_recyclable =
@@ -42,7 +41,7 @@ PairOutcome WriteContacts(PairState& pair, const PairCall& call, const PairConta
 }
 
 PairOutcome SolveByBullet(PairState& pair, const PairCall& call, Fallback reason) {
-  // Of what is no shape or no pose, Bullet has no result either: it reads points that a hull has not, and stores NaN.
+  // Bullet has no result for what is no shape or no pose either: it reads points that a hull has not, and stores NaN.
   if (!IsSolvedByBullet(reason)) {
     if (pair.manifold.IsOwn() && pair.manifold) pair.manifold->clearManifold();
     return {.fallback = reason};
