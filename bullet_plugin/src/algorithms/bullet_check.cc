@@ -11,17 +11,17 @@ namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 namespace {
 
-/// As Bullet writes 324: "Bullet 3.24".
+/// The name of a version that Bullet writes as 324: "Bullet 3.24".
 std::string VersionName(int version) {
   char text[32];
   std::snprintf(text, sizeof(text), "Bullet %d.%02d", version / 100, version % 100);
   return text;
 }
 
-/// Of the Bullet library that is linked, or loaded first. btIsDoublePrecision() is inline: it reports the headers. Of
-/// the functions that only the library has, this one has the same name in both precisions, returns the size of a struct
-/// that differs, and reads nothing of its object, whose constructor is inline: no memory is touched by code that takes
-/// it for larger than it is.
+/// The precision of the Bullet library that is linked, or loaded first. btIsDoublePrecision() is inline: it reports the
+/// headers. Of the functions that only the library has, this one has the same name in both precisions, returns the size
+/// of a struct that differs, and reads nothing of its object, whose constructor is inline: no memory is touched by code
+/// that takes it for larger than it is.
 std::string PrecisionOfLibrary() {
   const int bytes = btPersistentManifold(nullptr, nullptr, 0, 0, 0).calculateSerializeBufferSize();
   if (bytes == sizeof(btPersistentManifoldFloatData)) return "in float";

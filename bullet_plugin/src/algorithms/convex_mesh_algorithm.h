@@ -3,8 +3,8 @@
 // pair's of two convex shapes. The triangles' algorithms are cached from step to step (triangle_pairs.h).
 //
 // The contract (read from Bullet 3.24, btConvexConcaveCollisionAlgorithm): the pair has one manifold, the convex body
-// first whatever the order of the call; each triangle is a shape of its own with the mesh's margin, in a wrapper that
-// the result has in the mesh's place. By that an app's callbacks identify it (mesh_triangle.h).
+// first in either order of the call; each triangle is a shape of its own with the mesh's margin, in a wrapper that the
+// result has in the mesh's place. By that an app's callbacks identify it (mesh_triangle.h).
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btConvexConcaveCollisionAlgorithm.h>

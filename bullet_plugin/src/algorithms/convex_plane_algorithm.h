@@ -2,8 +2,8 @@
 // face that the shape shows the plane in one step, where Bullet's own adds one a step.
 //
 // The contract (read from Bullet 3.24, btConvexPlaneCollisionAlgorithm), besides that of pair_algorithm.h: the manifold
-// has the convex body first whatever the order of the call, so contacts' normals are the plane's; the plane's margin
-// and scaling have no effect; boxes have sharp edges, other shapes are what Bullet's GJK sees.
+// has the convex body first in either order of the call, so contacts' normals are the plane's; the plane's margin and
+// scaling have no effect; boxes have sharp edges, other shapes are what Bullet's GJK sees.
 #pragma once
 
 #include <memory>

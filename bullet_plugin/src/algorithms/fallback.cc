@@ -14,7 +14,7 @@ struct Description {
   const char *outcome, *reason, *counter;
 };
 
-/// In the order of Fallback.
+/// Descriptions in the order of Fallback.
 constexpr std::array<Description, kFallbacks> kDescriptions{{
     {&FallbackCounts::fallbacks_not_converged, "was left to Bullet's GJK/EPA", "the growth distance did not converge",
      "fallbacks_not_converged"},

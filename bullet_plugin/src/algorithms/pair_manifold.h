@@ -1,7 +1,7 @@
 // The contact manifold of a pair: its own, or one that it shares with the other triangles of a mesh.
 //
 // Without contacts a pair can be without a manifold of its own (Options::keep_empty_manifolds): Bullet visits each of a
-// heap's many empty ones to build islands, to sort them, and to make constraints, of which there are none.
+// heap's many empty ones to build islands, to sort them, and to make constraints, although there are none.
 #pragma once
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>

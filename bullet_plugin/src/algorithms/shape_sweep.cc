@@ -14,7 +14,7 @@ namespace {
 
 using Motion = dgd::Motion<double>;
 
-/// Of the shape's body, whatever the shape's own axis.
+/// Motion of the shape's body, regardless of the shape's own axis.
 Motion WayOf(const MovingShape& moving) { return Motion::Between(FromBullet(moving.from), FromBullet(moving.to)); }
 
 Motion WayOf(const MovingShape& moving, const PosedShape& posed) {

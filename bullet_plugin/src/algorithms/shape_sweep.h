@@ -26,7 +26,7 @@ struct MovingShape {
 dgd::TimeOfImpactResult<double> SweepShapes(const MovingShape& a, const MovingShape& b, GeometryMode geometry,
                                             HullCache& cache, HullUse use);
 
-/// Whether the answer is that the shapes meet, or may: what a sweep could not decide counts as met, since a body that
+/// Whether the result is that the shapes meet, or may: what a sweep could not decide counts as met, since a body that
 /// stops early is seen, and one that is let through is lost. Shapes that touch from the start and move apart do not
 /// meet, as in Bullet's own sweeps.
 bool Meet(const dgd::TimeOfImpactResult<double>& result, const MovingShape& a, const MovingShape& b);

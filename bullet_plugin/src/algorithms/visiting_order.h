@@ -24,7 +24,7 @@ class VisitingOrder {
   /// Number of a visit; what is visited stores its last one, and 0 before.
   using Place = std::uint32_t;
 
-  /// A pair and what its visit reads besides.
+  /// A pair, and what else its visit reads.
   struct Visited {
     const void* pair = nullptr;
     const void* recycled = nullptr;        // Its recycled contacts.
@@ -33,7 +33,7 @@ class VisitingOrder {
     std::array<const void*, 2> bodies{};
   };
 
-  /// What is visited in a step may be as many, for the last step's order to be known: three megabytes a thread.
+  /// Largest number of visits in a step for which the last step's order is available: three megabytes a thread.
   static constexpr std::size_t kPlaces = std::size_t{1} << 16;
 
   /// Without memory for it, the order stays unknown.

@@ -1,4 +1,4 @@
-// Bodies that touch overlap, for an app that looks.
+// The distance that apps read of bodies that touch: just below zero.
 //
 // Apps take the sign of a contact's distance for whether two bodies touch. Bullet's own narrowphase meets bodies once
 // they overlap, so that each impact and each rest shows an overlap. Here a body is met ahead of touching, and rests as
@@ -29,9 +29,9 @@ inline bool IsLoaded(const btPersistentManifold& manifold) {
   return false;
 }
 
-/// Shows points of a pair's own manifold as touching, once callbacks have set their material.
+/// Shows points of a pair's own manifold as touching, after callbacks have set their material.
 /// @param was_loaded  Whether a point of the pair carried something in the last step.
-/// @param motion      Of the manifold's bodies, in its order.
+/// @param motion      Motion of the manifold's bodies, in its order.
 inline void ShowTouching(btPersistentManifold& manifold, bool was_loaded, const PairMotion& motion) {
   const auto near = btScalar(NegligibleDistance(double(manifold.getContactBreakingThreshold())));
   for (int i = 0; i < manifold.getNumContacts(); ++i) {

@@ -12,8 +12,8 @@
 //   impact:      v^2 = (u + w/2)^2 + 2 a s
 //   rebound:     (u' + w/2)^2 = e^2 v^2 - 2 a s,  u' the speed of parting that the solver is to leave
 //
-// For e = 1, u' = u: energy is kept exactly. The solver of multibodies begins with the speed that the forces have
-// changed already, u + w.
+// Physics: for e = 1, u' = u, and energy is conserved exactly. The solver of multibodies begins with the speed that the
+// forces have changed already, u + w.
 #pragma once
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
@@ -50,8 +50,8 @@ inline std::optional<double> SpeedAfterImpact(double restitution, double approac
   return after > 0 ? std::optional(after) : std::nullopt;
 }
 
-/// Prepares a point of a step's manifold for Bullet's solver, once callbacks have had their say on its material.
-/// @param motion  Of the manifold's bodies, in its order.
+/// Prepares a point of a step's manifold for Bullet's solver, after callbacks have set its material.
+/// @param motion  Motion of the manifold's bodies, in its order.
 inline void PrepareRebound(btManifoldPoint& point, const PairMotion& motion) {
   const auto restitution = double(point.m_combinedRestitution);
   if (!(restitution > 0) || !motion.IsKnown()) return;

@@ -9,7 +9,7 @@ inline namespace DGD_BULLET_PRECISION {
 namespace {
 
 // Only what Bullet's headers define is called, so that apps without multibodies need not link their code.
-constexpr int kBase = -1;         // Bullet's index of it.
+constexpr int kBase = -1;         // Bullet's index of the base.
 constexpr int kBaseVelocity = 6;  // Numbers ahead of the joints' in Bullet's vector of velocities.
 
 }  // namespace
@@ -46,7 +46,7 @@ BodyVelocity VelocityOf(const btMultiBodyLinkCollider& link) {
 
 btVector3 AccelerationOf(const btMultiBodyLinkCollider& link) {
   const btMultiBody& body = *link.m_multiBody;
-  // What is fixed is held by its joints. Bullet's headers do not say that a base is: it has no velocity then.
+  // The joints carry what is fixed. Bullet's headers do not say whether a base is fixed: it has no velocity then.
   if (body.getBaseVel().isZero() && body.getBaseOmega().isZero()) return {0, 0, 0};
   btVector3 force = body.getBaseForce();
   btScalar mass = body.getBaseMass();

@@ -13,7 +13,7 @@ inline namespace DGD_BULLET_PRECISION {
 
 /// World frame, metres and radians per second.
 struct BodyVelocity {
-  btVector3 linear{0, 0, 0};  ///< Of the origin of the object's pose, which is the centre of mass.
+  btVector3 linear{0, 0, 0};  ///< Velocity of the pose's origin, which is the centre of mass.
   btVector3 angular{0, 0, 0};
 };
 
@@ -21,14 +21,14 @@ struct BodyVelocity {
 /// the last step has left. The link's collider must be where the multibody has it.
 BodyVelocity VelocityOf(const btMultiBodyLinkCollider& link);
 
-/// Of a multibody whose base moves, by all forces on it; none of one whose base is still, whose joints hold the links:
-/// world, metres per second squared.
+/// Acceleration of a multibody by all forces on it, if its base moves; none if it is still, since the joints carry the
+/// links then. World, metres per second squared.
 btVector3 AccelerationOf(const btMultiBodyLinkCollider& link);
 
-/// Of the link alone, 1 / kg: with the links that it moves it is heavier. 0 if it has no mass.
+/// Inverse mass of the link alone, 1 / kg: with the links that it moves it is heavier. 0 if it has no mass.
 btScalar InverseMassOf(const btMultiBodyLinkCollider& link);
 
-/// Null if it is none.
+/// The object as a multibody's link, or null.
 const btMultiBodyLinkCollider* AsLink(const btCollisionObject& object);
 
 /// At rest if the object is neither a rigid body nor a link.

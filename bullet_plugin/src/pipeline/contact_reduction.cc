@@ -95,7 +95,7 @@ class Reduction {
     const auto is_among = [&](const MeshContact& contact) {
       return contact.separation <= as_deep && contact.normal_on_b.dot(deepest.normal_on_b) > kSameDirection;
     };
-    // Of what they span, not their mean: a mesh has more corners in one place than in another.
+    // The middle of what they span, not their mean: a mesh has more corners in one place than in another.
     const Matrix3 axes = dgd::FrameAlong<double>(deepest.normal_on_b);
     Vector3 low = axes.transpose() * deepest.on_b, high = low;
     for (const MeshContact& contact : contacts_) {
@@ -162,7 +162,7 @@ class Reduction {
     if (size_ == 1) return (point - a).norm();
     const Vector3 along = Kept(1) - a;
     const double length = along.norm();
-    // Of a point in several directions.
+    // One point may have contacts in several directions.
     if (!(length > settings_.spacing)) return (point - a).norm();
     if (size_ == 2) return along.cross(point - a).norm() / length;
     const Vector3 &b = Kept(1), &c = Kept(2);

@@ -16,8 +16,8 @@ namespace {
 constexpr double kMaxSine = 1e-4;
 
 /// Least cosine to its triangle's normal of a ghost that is turned to the triangle's face: about 11 degrees. Of faces
-/// that are tilted more, no more than a strip of two decimetres is within the contact distance, beside an edge that has
-/// contacts of its own.
+/// that are tilted more, no more than a strip of two decimetres is within the contact distance, next to an edge that
+/// has contacts of its own.
 constexpr double kFromAbove = 0.996;
 
 /// Places within this part of a triangle's size are one: where apps compute corners twice, they differ by rounding.
@@ -256,7 +256,7 @@ void MeshContacts::ClassifyFeature(std::size_t index) {
     if (HasCorner(other, first, tolerance) && (feature.size == 1 || HasCorner(other, second, tolerance))) {
       return RisesAbove(other, first, normal, tolerance);
     }
-    // Of meshes whose triangles meet between corners.
+    // Some meshes have triangles that meet between corners.
     return IsOn(other, seen, tolerance) && RisesAbove(other, seen, normal, tolerance);
   };
   State& state = states_[static_cast<std::size_t>(patch.triangle)];
@@ -271,7 +271,7 @@ void MeshContacts::ClassifyFeature(std::size_t index) {
     if (found == State::kGhost) links_.push_back({patch.triangle, i});
   }
   patch.counts = found == State::kCounts;
-  // Of one along another normal, nothing changes.
+  // Contacts along another normal that count stay valid.
   if (state != State::kCounts) state = found;
   if (patch.counts) return;
   const Vector3 area = AreaOf(own);

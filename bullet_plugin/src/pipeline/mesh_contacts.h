@@ -39,13 +39,13 @@ struct MeshContact {
   int triangle;         ///< Index among the step's triangles.
   Vector3 way;          ///< Of on_b until it touches; world, metres.
 
-  // Of the reduction (contact_reduction.h).
+  // For the reduction (contact_reduction.h).
   bool touches = false;                           // Or will by the end of the step.
   bool is_continued = false;                      // The manifold has it already.
   bool is_new_direction = true, is_apart = true;  // Of those that are kept.
 };
 
-/// Of one step; memory is kept for the next. All that adds may throw std::bad_alloc.
+/// The contacts of one step; their memory is reused in the next. All that adds may throw std::bad_alloc.
 class MeshContacts {
  public:
   /// Leaves nothing.
@@ -88,7 +88,7 @@ class MeshContacts {
  private:
   enum class State { kNone, kCounts, kGhost, kCovered };
 
-  /// Of a triangle, in the mesh's frame.
+  /// A triangle's bounding box, in the mesh's frame.
   struct Box {
     bool Contains(const btVector3& place, btScalar tolerance) const {
       // Without a branch for each.

@@ -15,7 +15,7 @@
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
-/// The feature by which the last query was answered, with its data, and the shapes' hulls; all in the order that the
+/// The feature that proved the last query's result, with its data, and the shapes' hulls; all in the order that the
 /// shapes are solved in (ComesBefore()). A cache that does not fit the shapes any more costs time, and no result is
 /// wrong.
 class PairCache {

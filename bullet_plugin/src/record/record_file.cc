@@ -142,7 +142,7 @@ class Reader {
     return true;
   }
 
-  /// Of the next block, from the file's beginning.
+  /// Offset of the next block from the file's beginning; bytes.
   std::size_t place() const { return place_; }
 
  private:

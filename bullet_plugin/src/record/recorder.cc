@@ -26,7 +26,7 @@ namespace {
 /// The content of a shape's block.
 class ShapeContent {
  public:
-  /// @return nothing for a core that is known by its support function alone.
+  /// @return nothing for a core that only its support function describes.
   static std::optional<std::string> Of(const dgd::AnySet& set) {
     return set.Visit([](const auto& rounded) { return ShapeContent(rounded.radius).With(rounded.core); });
   }
@@ -117,7 +117,7 @@ class Recorder::Writer {
   void Add(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1) {
     const std::lock_guard lock(mutex_);
     if (!file_.is_open()) return;
-    // Counted until it is known to be written.
+    // The pair counts as left out until it is written.
     ++counts_.left_out;
     std::shared_ptr<const CachedHull> hull_0, hull_1;
     const PosedShape shape_0 = Adapt(body_0, hull_0), shape_1 = Adapt(body_1, hull_1);
@@ -185,7 +185,7 @@ class Recorder::Writer {
                       GeometryMode::kBullet, hulls_, hull, HullUse::kStep);
   }
 
-  /// Of a shape of this content, which is written if it is new.
+  /// Number of the shape with this content, which is written if it is new.
   std::optional<std::uint32_t> NumberOf(const dgd::AnySet& set) {
     std::optional<std::string> content = ShapeContent::Of(set);
     if (!content) return std::nullopt;
@@ -214,7 +214,7 @@ Recorder::~Recorder() {
   try {
     Close();
   } catch (const std::exception&) {
-    // Whoever wants to know calls Close().
+    // Close() reports errors.
   }
 }
 

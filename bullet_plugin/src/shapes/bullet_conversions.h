@@ -51,7 +51,7 @@ inline btVector3 InBulletAxes(const Vector3& v, int up_axis) {
   }
 }
 
-/// In Bullet's precision, and not above.
+/// A value in Bullet's precision, rounded down.
 inline btScalar RoundDown(double value) {
   const btScalar rounded = btScalar(value);
   return double(rounded) > value ? std::nextafter(rounded, -std::numeric_limits<btScalar>::infinity()) : rounded;

@@ -99,7 +99,7 @@ const dgd::Polytope<double>& CachedHull::CoreOfNewHull(HullUse use) const {
 
 void CachedHull::Prefetch() const {
   const dgd::ConvexHull& hull = core_.load(std::memory_order_acquire)->Hull();
-  // Of a large one, little of it is read.
+  // A query of a large hull reads little of it.
   if (hull.vertices.size() > dgd::kMostScannedVertices) return;
   const auto prefetch = [](const auto& array) { PrefetchToRead(array.data(), array.size() * sizeof(array[0])); };
   prefetch(hull.vertex_start);

@@ -1,8 +1,8 @@
 // Hulls of Bullet's point shapes: built once per shape, shared between its pairs, found again by address and content.
 //
-// Bullet tells nobody when a shape changes or dies, and a new one may take its address. A hull is therefore only used
-// after its shape has been compared with what the hull was made from: number of points, scaling, and every point, which
-// costs less than one evaluation of the support function that looks at all of them.
+// Bullet reports to nobody when a shape changes or dies, and a new one may take its address. A hull is therefore only
+// used after its shape has been compared with what the hull was made from: number of points, scaling, and every point,
+// which costs less than one evaluation of the support function that looks at all of them.
 //
 // A new hull has no facets: its first queries scan its points, for a support point as for the face there. Facets of 20
 // points take 70 us, as long as some hundred queries without them, and many hulls live no longer: debris, shapes of a
@@ -32,7 +32,7 @@ inline namespace DGD_BULLET_PRECISION {
 
 /// Whose query a hull is for.
 enum class HullUse {
-  kStep,  ///< A step's, whose answer is the same to the last bit regardless of what was asked before.
+  kStep,  ///< A step's, whose result is the same to the last bit regardless of earlier queries.
   kApp    ///< An app's own.
 };
 
@@ -51,8 +51,8 @@ class CachedHull {
     return HasFacets(core.Hull()) ? core : CoreOfNewHull(use);
   }
 
-  /// Has memory bring what a query of a small hull reads: which facet is under a contact takes six reads that each tell
-  /// where the next is. A tenth of the narrowphase's time in a heap of 2000 hulls.
+  /// Prefetches what a query of a small hull reads: to find the facet under a contact takes six reads, each of which
+  /// gives the address of the next. A tenth of the narrowphase's time in a heap of 2000 hulls.
   void Prefetch() const;
 
  private:
@@ -74,14 +74,14 @@ class CachedHull {
 class HullCache {
  public:
   /// The hull of the shape as it is now. Thread-safe, and without a lock if this thread has found it before: pairs that
-  /// live for a step, of children of meshes and compounds, ask anew each time. Throws as CachedHull.
+  /// live for a step, of children of meshes and compounds, search it each time. Throws as CachedHull.
   std::shared_ptr<const CachedHull> Find(const btConvexShape& shape);
 
  private:
   std::shared_ptr<const CachedHull> FindShared(const btConvexShape& shape);
 
   /// Drops hulls that no pair holds once there are twice as many as after the last time: shapes that are gone cost
-  /// memory for a while, never a wrong answer.
+  /// memory for a while, never a wrong result.
   void Prune();
 
   std::shared_mutex mutex_;

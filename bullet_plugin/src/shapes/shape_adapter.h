@@ -27,7 +27,7 @@ inline btScalar ClampHalfExtent(btScalar half_extent) { return half_extent < 0 ?
 /// cores of touching boxes apart, so that their distance is that of the cores, without a penetration search.
 btScalar EdgeRadius(const btBoxShape& box);
 
-/// The shape of a body that is known to be convex.
+/// The convex shape of a body.
 inline const btConvexShape& ConvexShapeOf(const btCollisionObjectWrapper& body) {
   DGD_ASSERT(body.getCollisionShape()->isConvex());
   return *static_cast<const btConvexShape*>(body.getCollisionShape());

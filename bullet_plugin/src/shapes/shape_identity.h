@@ -1,7 +1,7 @@
 // Whether a shape is the one that it was.
 //
-// Bullet tells nobody when a shape changes or dies, and a new one may take its address: what depends on a shape from
-// one step to the next compares the numbers that make the shape what it is.
+// Bullet reports to nobody when a shape changes or dies, and a new one may take its address: what depends on a shape
+// from one step to the next compares the numbers that make the shape what it is.
 #pragma once
 
 #include <LinearMath/btVector3.h>

@@ -1,5 +1,5 @@
-// The solver's types as the plugin uses them: always double, whatever Bullet's precision. The conversion costs a
-// nanosecond, and a pose in float is exact in double, so what Bullet users know as float trouble (relative poses, tiny
+// The solver's types as the plugin uses them: always double, in either precision of Bullet. The conversion costs a
+// nanosecond, and a pose in float is exact in double, so the float trouble of Bullet's users (relative poses, tiny
 // features) does not arise.
 #pragma once
 
