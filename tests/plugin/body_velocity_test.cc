@@ -1,5 +1,5 @@
 // Velocities of multibodies' links, against where Bullet moves the links.
-#include "body_velocity.h"
+#include "pipeline/body_velocity.h"
 
 #include <BulletDynamics/Featherstone/btMultiBody.h>
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "pair_motion.h"
+#include "pipeline/pair_motion.h"
 #include "plugin/rigid_body.h"
 
 namespace dgd_test {
@@ -118,7 +118,7 @@ TEST(OfABaseAlone, ForcesMoveItAsARigidBody) {
   body.setBaseVel(Vec(1, 0, 0));
   body.addBaseForce(Vec(0, 0, -6));
   const auto rigid = MakeRigidBody(shape, 3 * kMass, btTransform::getIdentity());
-  const dgd_bullet::PairMotion motion(dgd_bullet::BodyReach(base), dgd_bullet::BodyReach(*rigid), kTime);
+  const dgd_bullet::PairMotion motion(dgd_bullet::BoundedBody(base), dgd_bullet::BoundedBody(*rigid), kTime);
   EXPECT_NEAR(motion.Approach(dgd_bullet::Vector3::Zero(), dgd_bullet::Vector3::UnitZ()), -3 * kTime * kTime, 1e-12);
   EXPECT_NEAR(motion.Approach(dgd_bullet::Vector3::Zero(), dgd_bullet::Vector3::UnitX()), kTime, 1e-9);
   EXPECT_NEAR(motion.ShareOfA(), 0.75, 1e-6);

@@ -1,5 +1,5 @@
 // How far bodies go within a step, by what Bullet says of them.
-#include "pair_motion.h"
+#include "pipeline/pair_motion.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ class OfTwoBodies : public testing::Test {
   /// Of a body that moves along x at 2 m/s and one at rest, both at the origin.
   PairMotion Motion() {
     moving_->setLinearVelocity(Vec(2, 0, 0));
-    return {dgd_bullet::BodyReach(*moving_), dgd_bullet::BodyReach(*other_), kTime};
+    return {dgd_bullet::BoundedBody(*moving_), dgd_bullet::BoundedBody(*other_), kTime};
   }
   double Way() { return Motion().Approach(Vector3::Zero(), Vector3::UnitX()); }
 
@@ -59,7 +59,7 @@ TEST_F(OfTwoBodies, ShareOfA_IsByInverseMass) {
 TEST_F(OfTwoBodies, MaxArc_IsNoLessThanTheRimsWayOffItsTangent) {
   moving_ = MakeRigidBody(shape_, 1, btTransform::getIdentity());
   EXPECT_EQ(Motion().MaxArc(), 0);
-  const double reach = dgd_bullet::BodyReach(*moving_).reach;
+  const double reach = dgd_bullet::BoundedBody(*moving_).radius;
   for (const double angle : {0.01, 0.1, 0.7}) {
     moving_->setAngularVelocity(Vec(0, 0, angle / kTime));
     const double off = reach * std::hypot(1 - std::cos(angle), angle - std::sin(angle));

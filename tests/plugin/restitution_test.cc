@@ -1,5 +1,5 @@
 // The speed that a rebound is to leave, against what follows from the energy of the flight.
-#include "restitution.h"
+#include "conditioning/restitution.h"
 
 #include <gtest/gtest.h>
 

@@ -32,9 +32,9 @@ struct NarrowphaseOwner {
 
 /// A configuration of Bullet's, or an app's own, with the growth distance for every pair of convex types and for convex
 /// types on static planes, in the contact table and in the closest-points table; and in the contact table, for convex
-/// types on triangle meshes and heightfields, Bullet's own algorithm with the triangles' answers kept from step to
-/// step. Everything else (compounds, soft bodies, the two-dimensional types) stays the base's, and what the base is
-/// told of contacts on planes (setPlaneConvexMultipointIterations()) has no effect. The dispatcher copies the tables
+/// types on triangle meshes and heightfields, one that gathers the contacts of all triangles. Everything else
+/// (compounds, soft bodies, the two-dimensional types) is left to the base, and its setting for contacts on planes
+/// (setPlaneConvexMultipointIterations()) has no effect. The dispatcher copies the tables
 /// when it is made. As with any Bullet configuration, this object must outlive the dispatcher and all its pairs.
 ///
 ///     dgd_bullet::CollisionConfigurationOf<btSoftBodyRigidBodyCollisionConfiguration> configuration;

@@ -18,8 +18,8 @@ class btConvexShape;
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
-/// Both shapes may move and turn, on the way that Bullet's integrator would take from one pose to the other. The answer
-/// is never late: a fraction is given at which the shapes are no nearer than a twentieth of a nanometre, and no
+/// Both shapes may move and turn, along the path that Bullet's integrator would take from one pose to the other. The
+/// result is never late: a fraction is given at which the shapes are no nearer than a twentieth of a nanometre, and no
 /// farther apart than a tenth (more only where their coordinates, or Bullet's support function of a custom shape, are
 /// not that exact).
 class DGD_BULLET_EXPORT ConvexCast : public btConvexCast {

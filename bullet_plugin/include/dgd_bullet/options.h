@@ -26,10 +26,10 @@ enum class GeometryMode {
 /// Writes the message and a line's end to the standard error stream.
 DGD_BULLET_EXPORT void PrintToStandardError(const char* message) noexcept;
 
-/// Of one dispatcher; each has its default.
+/// The options of one dispatcher.
 struct Options {
   /// Relative gap between the two bounds of the growth distance at which a query stops; dimensionless, > 0. The depth
-  /// that a contact reports is certified whatever this is: it only bounds how far the normal and the witness points
+  /// that a contact reports is certified for any value: it only bounds how far the normal and the witness points
   /// are from the optimum. Polytopes end at rounding error regardless.
   double relative_tolerance = 1e-8;
 
@@ -45,7 +45,7 @@ struct Options {
   int patch_size = 4;
 
   /// Faces turned away from the contact normal by more than this count as edges; radians, in (0, 1.5]. The points of a
-  /// tilted face that matter are told by their distance, so there is little reason to lower it.
+  /// tilted face that matter are found by their distance, so there is little reason to lower it.
   double angular_tolerance = 1.47;
 
   /// Bodies not farther apart than this get contacts; metres, >= 0. 0 stands for each manifold's breaking threshold,
@@ -77,17 +77,23 @@ struct Options {
   /// a tilt of 0.6 rad, lies after 2.2 s at 240 Hz and after 0.7 s at 60 Hz, where it should spin on.
   bool rim_damping = false;
 
-  /// Contacts of faces that stick are held where they stuck: Bullet's solver takes back what they have slipped by
+  /// Contacts of faces that stick are anchored where they stuck: Bullet's solver corrects what they have slipped by
   /// since, within the friction cone, and piles do not creep: the blocks of scenes/pyramid_28.json move by 37 mm in a
   /// minute without, 1.3 mm with it (float, without keep_resting_contacts). Off: friction opposes speed only, as with
   /// Bullet. Needs contact_patch.
-  /// Physics: held is only the slip that the solver left of contacts that have stuck for two steps, up to a hundredth
-  /// of the breaking threshold; not what rolls or slides, nor what a surface's own velocity, a callback or an app moves
-  /// (tests/physics: slide, swing_force, taps, belt, platform, feeder, teleport).
+  /// Physics: the correction is only the slip that the solver left of contacts that have stuck for two steps, up to a
+  /// hundredth of the breaking threshold; not what rolls or slides, nor what a surface's own velocity, a callback or an
+  /// app moves (tests/physics: slide, swing_force, taps, belt, platform, feeder, teleport).
   bool friction_anchors = true;
 
+  /// The contact point that carried most in the last step comes first in its manifold, the others around the patch, as
+  /// Bullet's solver leaves least undone (src/conditioning/point_order.h). Off: a patch's own order.
+  /// Physics: points and distances stay the same. Stacks of small boxes and high towers rock and sway less; links of
+  /// multibodies keep their order.
+  bool order_points_by_impulse = true;
+
   /// Bodies that have not moved by more than a thousandth of the breaking threshold (20 micrometres for large ones)
-  /// since their contacts were found keep them, at a fifth of the cost; only the distances are made anew. So do bodies
+  /// since their contacts were found recycle them, at a fifth of the cost; only the distances are updated. So do bodies
   /// on each other's faces that have moved together: by no more than a twelfth of the threshold against each other, nor
   /// by more than leaves each distance within a two-thousandth of it. Their normal turns with the face. In manifolds of
   /// the pair's own only, and needs contact_patch and warm_start.
@@ -95,13 +101,13 @@ struct Options {
   /// face.
   bool keep_resting_contacts = true;
 
-  /// Start each step's query of a pair from its last answer. Off: the answer depends on nothing but shapes, poses and
+  /// Start each step's query of a pair from its last result. Off: the result depends on nothing but shapes, poses and
   /// the manifold, so that a world whose bodies and manifolds have been saved and restored goes on bit by bit as
   /// before; pairs that stay near each other then cost about twice the time.
   bool warm_start = true;
 
   /// A pair whose bounding boxes overlap has a manifold from its first step to its last, with or without contacts, as
-  /// with Bullet. Off: from its second step on it has one only while it touches and for a step after, or beside a
+  /// with Bullet. Off: from its second step on it has one only while it touches and for a step after, or next to a
   /// kinematic body, by which Bullet wakes the other. In heaps most pairs do not touch, and Bullet looks at each one's
   /// manifold three times a step all the same: without them a step of 500 falling polytopes takes 0.8 of the time. An
   /// app that lists manifolds then sees fewer, in another order, and pairs go to the dispatcher for one in later steps
@@ -111,12 +117,12 @@ struct Options {
   /// Fill Statistics::pairs. Threads then share counters; without it, none are touched.
   bool count_pairs = false;
 
-  /// Is given all that Bullet asks about (dgd_bullet/recorder.h), or null. Not owned: must outlive the dispatcher.
+  /// Records all pairs that Bullet processes (dgd_bullet/recorder.h), or null. Not owned: must outlive the dispatcher.
   Recorder* recorder = nullptr;
 
-  /// Told when a call is not answered by the growth distance, for each of the reasons in FallbackCounts once: one line,
+  /// Called when the growth distance does not solve a call, for each of the reasons in FallbackCounts once: one line,
   /// without its end, that names the two types of shapes and the reason. All later ones are only counted. Called by
-  /// whichever thread meets it, in the middle of a step. Null: nobody is told.
+  /// whichever thread meets it, in the middle of a step. Null: silence.
   void (*on_first_fallback)(const char* message) noexcept = PrintToStandardError;
 };
 

@@ -1,5 +1,5 @@
-// What a narrowphase was asked, as a file: shapes once, then pairs of them in their poses, step by step. Recorder
-// (dgd_bullet/recorder.h) writes it, ReadRecord() reads it; neither the file nor this header knows Bullet.
+// The queries of a narrowphase, as a file: shapes once, then pairs of them in their poses, step by step. Recorder
+// (dgd_bullet/recorder.h) writes it, ReadRecord() reads it; neither the file nor this header depends on Bullet.
 //
 // Numbers are little-endian; an integer is unsigned and of 4 bytes, a count of 8; a real is a float or a double, as
 // Bullet was. The file is a header and blocks, in any number, of two kinds:
@@ -39,10 +39,10 @@ struct RecordedShape {
   };
   Core core = Core::kPoint;
   double radius = 0;
-  std::vector<double> numbers;  ///< What the core's line says; of points, all their coordinates in a row.
+  std::vector<double> numbers;  ///< The numbers in the core's line; for points, all their coordinates in a row.
 };
 
-/// Of a shape's frame in the world: x_world = rotation * x_local + translation.
+/// The pose of a shape's frame in the world: x_world = rotation * x_local + translation.
 struct RecordedPose {
   std::array<double, 9> rotation;  ///< By rows.
   std::array<double, 3> translation;
@@ -50,22 +50,22 @@ struct RecordedPose {
 
 struct RecordedPair {
   std::uint64_t step;
-  std::uint32_t body_pair;  ///< Who it is: the same from step to step.
+  std::uint32_t body_pair;  ///< Number of the two bodies: the same from step to step.
   std::uint32_t shape_1, shape_2;
   RecordedPose pose_1, pose_2;
 };
 
 struct Record {
-  int real_bytes = 0;  ///< Of the Bullet that was recorded: 4 for float, 8 for double.
+  int real_bytes = 0;  ///< Bytes of a real of the Bullet that was recorded: 4 for float, 8 for double.
   std::vector<RecordedShape> shapes;
-  std::vector<RecordedPair> pairs;  ///< In the order in which they were asked.
+  std::vector<RecordedPair> pairs;  ///< In the order of the queries.
   std::uint64_t left_out = 0;       ///< Pairs that could not be recorded; see Recorder.
   /// Why this is not all that the file should hold: it is damaged, and what follows was not read; or it was not closed.
   std::optional<std::string> problem;
 };
 
 /// Throws std::runtime_error, naming the file, if it cannot be opened or is no record. What is wrong behind the header
-/// is told by Record::problem, with the byte where it is.
+/// is reported by Record::problem, with the byte where it is.
 DGD_BULLET_EXPORT Record ReadRecord(const std::string& path);
 /// @param name  For messages.
 DGD_BULLET_EXPORT Record ReadRecord(std::istream& file, const std::string& name);

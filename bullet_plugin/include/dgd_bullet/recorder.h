@@ -1,4 +1,4 @@
-// Writes down what a narrowphase is asked, to be asked again of others: see tests/bench/narrowphase_replay.
+// Records the queries of a narrowphase, to be replayed through others: see tests/bench/narrowphase_replay.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
 /// A file of recorded pairs (dgd_bullet/record_file.h). Set as Options::recorder, it is given each pair of convex
-/// shapes that the dispatcher asks about; with another narrowphase, the app calls Add() itself. Any number of threads
+/// shapes that the dispatcher processes; with another narrowphase, the app calls Add() itself. Any number of threads
 /// may.
 ///
 /// Left out, and counted, are shapes that only their own support function describes (multi-spheres, scaled shapes,
@@ -22,15 +22,15 @@ class DGD_BULLET_EXPORT Recorder {
  public:
   /// Makes or replaces the file. Throws std::runtime_error naming it if it cannot be written.
   explicit Recorder(const std::string& path);
-  ~Recorder();  ///< As Close(), but says nothing.
+  ~Recorder();  ///< Closes the file, and reports no errors.
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
   /// What comes now belongs to the next step: call it from the world's tick callback. Until then, it is step 0.
   void NextStep();
 
-  /// One pair of convex shapes, in the order in which Bullet asks. Never throws: what cannot be written is told at the
-  /// end.
+  /// One pair of convex shapes, in the order in which Bullet queries them. Never throws: errors of writing are reported
+  /// at the end.
   void Add(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1) noexcept;
 
   std::uint64_t pair_count() const;  ///< So far, without those left out.

@@ -12,31 +12,31 @@
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
-/// Calls that the growth distance did not answer, by reason. The first two are handed to Bullet's GJK/EPA.
+/// Calls that the growth distance did not solve, by reason. The first two are handed to Bullet's GJK/EPA.
 struct FallbackCounts {
   std::uint64_t fallbacks_not_converged = 0;  ///< Iteration limit, or bounds that rounding kept apart.
   std::uint64_t fallbacks_no_interior = 0;    ///< Two flat shapes without margins: no growth distance exists.
   std::uint64_t fallbacks_invalid = 0;    ///< NaN or infinity in a pose or a shape: no contacts, from Bullet neither.
-  std::uint64_t fallbacks_no_memory = 0;  ///< For a hull, or in Bullet's pools: no contacts, and tried anew next time.
+  std::uint64_t fallbacks_no_memory = 0;  ///< For a hull, or in Bullet's pools: no contacts, and tried again next time.
 
   std::uint64_t Fallbacks() const {
     return fallbacks_not_converged + fallbacks_no_interior + fallbacks_invalid + fallbacks_no_memory;
   }
 };
 
-/// What the pairs of two types of shapes came to, a static plane among them.
+/// How the calls of two types of shapes ended, a static plane among them.
 struct PairStatistics : FallbackCounts {
   /// Bullet's numbers of the types (BOX_SHAPE_PROXYTYPE ...), type_0 <= type_1.
   int type_0 = 0, type_1 = 0;
 
-  std::uint64_t calls = 0;      ///< How often Bullet asked: the sum of the next four and the fallbacks.
-  std::uint64_t separated = 0;  ///< Early exits: proven to be apart by more than what is asked for.
-  std::uint64_t resting = 0;    ///< Nothing had moved, or all together: the contacts were kept.
-  std::uint64_t followed = 0;   ///< Cores apart, and answered without a growth distance.
-  std::uint64_t solved = 0;     ///< By the growth distance.
+  std::uint64_t calls = 0;      ///< Calls of processCollision(): the sum of the next four and the fallbacks.
+  std::uint64_t separated = 0;  ///< Early exits: proven to be apart by more than the query's distance.
+  std::uint64_t resting = 0;    ///< Nothing had moved, or all together: the contacts were recycled.
+  std::uint64_t followed = 0;   ///< Cores apart: the signed distance was updated, without a growth distance.
+  std::uint64_t solved = 0;     ///< Solved by the growth distance.
 
   /// Of all calls but the fallbacks, by evaluations of the support functions up to the growth distance, or until the
-  /// last answer was followed: index i counts those with i of them, the last one those with as many or more.
+  /// last distance was updated: index i counts those with i of them, the last one those with as many or more.
   static constexpr std::size_t kMaxIterations = 31;
   std::array<std::uint64_t, kMaxIterations + 1> iterations{};
   /// Largest relative gap between the bounds, upper_bound / lower_bound - 1, of what was solved.

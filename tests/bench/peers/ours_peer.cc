@@ -2,7 +2,7 @@
 
 #include "bench/solver_set.h"
 #include "bench/stopwatch.h"
-#include "pair_distance.h"
+#include "pipeline/pair_distance.h"
 
 namespace dgd_bench {
 namespace {
@@ -58,12 +58,13 @@ class OursPeer : public Peer {
     dgd_bullet::PosedShape shape_1 = posed_1_, shape_2 = posed_2_;  // Their centres may move.
     dgd_bullet::MoveCentersTogether(shape_1, shape_2);
     constexpr dgd::Settings<double> kSettings;
-    dgd::Result<double> result;
-    if (is_warm_ && memory.may_be_apart &&
-        dgd_bullet::FollowDistance(shape_1, shape_2, kSettings, memory.warm_start, result)) {
-      return result;
+    if (is_warm_ && memory.may_be_apart) {
+      if (const auto updated = dgd_bullet::UpdateDistance(shape_1, shape_2, kSettings, memory.warm_start)) {
+        return *updated;
+      }
     }
-    result = dgd::GrowthDistance(shape_1.set, shape_1.pose, shape_2.set, shape_2.pose, kSettings, &memory.warm_start);
+    dgd::Result<double> result =
+        dgd::GrowthDistance(shape_1.set, shape_1.pose, shape_2.set, shape_2.pose, kSettings, &memory.warm_start);
     memory.may_be_apart = dgd_bullet::TurnToLeastTranslation(shape_1, shape_2, kSettings, memory.warm_start, result);
     return result;
   }

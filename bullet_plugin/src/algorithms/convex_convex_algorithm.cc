@@ -1,0 +1,93 @@
+#include "algorithms/convex_convex_algorithm.h"
+
+#include <BulletCollision/BroadphaseCollision/btDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+#include <BulletCollision/CollisionShapes/btConvexShape.h>
+
+#include <algorithm>
+
+#include "algorithms/prefetch.h"
+#include "algorithms/shape_sweep.h"
+#include "dgd/assert.h"
+#include "dgd_bullet/recorder.h"
+#include "pipeline/pair_pipeline.h"
+#include "shapes/bullet_conversions.h"
+
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
+namespace {
+
+/// Whether a body moves by less than the app wants to have swept.
+bool IsSlow(const btCollisionObject& body) {
+  const btVector3 way = body.getInterpolationWorldTransform().getOrigin() - body.getWorldTransform().getOrigin();
+  return way.length2() < body.getCcdSquareMotionThreshold();
+}
+
+}  // namespace
+
+void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* body_0,
+                                             const btCollisionObjectWrapper* body_1, const btDispatcherInfo& info,
+                                             btManifoldResult* output) {
+  PrefetchNext(*body_0, *body_1);
+  if (Recorder* recorder = pair_.options().recorder) recorder->Add(*body_0, *body_1);
+  Process({*body_0, *body_1}, info, *output);
+}
+
+PairOutcome ConvexConvexAlgorithm::RunPipeline(const PairCall& call) {
+  return dgd_bullet::RunPipeline(pair_, cache_, call);
+}
+
+std::optional<Fallback> ConvexConvexAlgorithm::FindTriangleContacts(const PairBodies& convex_and_triangle,
+                                                                    const TriangleQuery& query,
+                                                                    PairContacts& contacts) {
+  DGD_ASSERT(!pair_.manifold.IsOwn());
+  if (Recorder* recorder = pair_.options().recorder) {
+    recorder->Add(convex_and_triangle.first, convex_and_triangle.second);
+  }
+  const PairOutcome outcome = dgd_bullet::FindTriangleContacts(pair_, cache_, convex_and_triangle, query, contacts);
+  Count(convex_and_triangle, outcome);
+  return outcome.fallback;
+}
+
+void ConvexConvexAlgorithm::PrefetchNext(const btCollisionObjectWrapper& body_0,
+                                         const btCollisionObjectWrapper& body_1) {
+  const PairManifold& manifold = pair_.manifold;
+  VisitingOrder::Visited now{.pair = this, .bodies = {body_0.getCollisionObject(), body_1.getCollisionObject()}};
+  if (pair_.is_recyclable) now.recycled = pair_.recycled.get();
+  if (pair_.had_contact) now.contacts = manifold.Get();
+  if (manifold) now.manifold_state = &manifold->m_companionIdA;
+  const VisitingOrder::Visited next = VisitingOrder::OfThisThread().Visit(now, pair_.place);
+  if (next.pair == nullptr) return;
+  PrefetchToWrite(next.pair, sizeof(ConvexConvexAlgorithm));
+  if (next.recycled != nullptr) PrefetchToWrite(next.recycled, sizeof(RecycledContacts));
+  if (next.contacts != nullptr) PrefetchToWrite(next.contacts, MANIFOLD_CACHE_SIZE * sizeof(btManifoldPoint));
+  PrefetchToWrite(next.manifold_state, 1);
+  // Other threads read them, too.
+  for (const void* body : next.bodies) PrefetchToRead(body, sizeof(btCollisionObject));
+}
+
+btScalar ConvexConvexAlgorithm::calculateTimeOfImpact(btCollisionObject* body_0, btCollisionObject* body_1,
+                                                      const btDispatcherInfo&, btManifoldResult*) {
+  constexpr btScalar kNever = 1;
+  const btCollisionShape *shape_0 = body_0->getCollisionShape(), *shape_1 = body_1->getCollisionShape();
+  if (!Narrowphase::Handles(shape_0->getShapeType(), shape_1->getShapeType()) || (IsSlow(*body_0) && IsSlow(*body_1))) {
+    return kNever;
+  }
+  const auto moving = [](const btCollisionObject& body, PairCache::Hull& hull) -> MovingShape {
+    return {*static_cast<const btConvexShape*>(body.getCollisionShape()), body.getWorldTransform(),
+            body.getInterpolationWorldTransform(), hull};
+  };
+  const MovingShape a = moving(*body_0, cache_.hull_a()), b = moving(*body_1, cache_.hull_b());
+  Narrowphase& narrowphase = pair_.narrowphase;
+  const dgd::TimeOfImpactResult<double> impact =
+      SweepShapes(a, b, pair_.options().geometry_mode, narrowphase.hulls(), HullUse::kStep);
+  if (!Meet(impact, a, b)) return kNever;
+  const btScalar fraction = RoundDown(impact.time);
+  DGD_ASSERT(fraction >= 0 && fraction <= 1);
+  for (btCollisionObject* body : {body_0, body_1}) body->setHitFraction(std::min(body->getHitFraction(), fraction));
+  return fraction;
+}
+
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -1,0 +1,68 @@
+// The algorithm object of one pair of convex shapes: Bullet's contract on the outside, the growth distance inside.
+//
+// The contract (read from Bullet 3.24, btConvexConvexAlgorithm and btManifoldResult), besides that of pair_algorithm.h:
+// points leave through addContactPoint(), and those of the pair's own manifold are written as that would leave them
+// (manifold_writer.h); the normal points from B to A, A and B in the order of the call; the depth is the signed
+// distance after margins.
+#pragma once
+
+#include <optional>
+
+#include "algorithms/pair_algorithm.h"
+#include "dgd_bullet/linkage.h"
+#include "pipeline/face_contacts.h"
+#include "pipeline/pair_cache.h"
+#include "pipeline/pair_patch.h"
+
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
+
+class ConvexConvexAlgorithm final : public PairAlgorithm {
+ public:
+  using PairAlgorithm::PairAlgorithm;
+
+  void processCollision(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1,
+                        const btDispatcherInfo& info, btManifoldResult* output) override;
+
+  /// Finds the contacts with a triangle of a mesh, instead of processCollision(): the mesh chooses among all triangles'
+  /// contacts, and writes them.
+  /// @return why the pair is not solved, if it is not; that is counted.
+  std::optional<Fallback> FindTriangleContacts(const PairBodies& convex_and_triangle, const TriangleQuery& query,
+                                               PairContacts& contacts);
+
+  /// Solves a pair that FindTriangleContacts() has not solved by Bullet's own algorithm, into the result.
+  void FallBack(const PairBodies& bodies, const btDispatcherInfo& info, btManifoldResult& output) {
+    pair_.narrowphase.FallBack(*m_dispatcher, &bodies.first, &bodies.second, info, output);
+  }
+
+  /// FindFaceContacts() of the two, after FindTriangleContacts() in the same step. Does not throw.
+  /// @param normal  The triangle's unit normal, on either side; world.
+  FaceContacts FindTriangleFaceContacts(const PairBodies& convex_and_triangle, const Vector3& normal,
+                                        const TriangleQuery& query) {
+    return dgd_bullet::FindTriangleFaceContacts(pair_.narrowphase, cache_, convex_and_triangle, normal, query);
+  }
+
+  /// The part of the motion from the bodies' transforms to their interpolation transforms that they go before they
+  /// touch, or 1: by a sweep of the shapes themselves, never late. Only apps that dispatch continuously call it. As in
+  /// Bullet, bodies that both move by less than their CCD motion thresholds are not swept, and the bodies' hit
+  /// fractions are lowered. Children of compounds and meshes return 1: Bullet does not say where they are.
+  btScalar calculateTimeOfImpact(btCollisionObject* body_0, btCollisionObject* body_1, const btDispatcherInfo& info,
+                                 btManifoldResult* output) override;
+
+ private:
+  PairOutcome RunPipeline(const PairCall& call) override;
+
+  /// Prefetches the algorithm that Bullet will most likely call next, and what that will read. In a world of thousands
+  /// of pairs no cache has it, and to wait for it takes as long as to find that a pair is apart.
+  void PrefetchNext(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1);
+
+  PairCache cache_;
+};
+
+// The pool hands out slots without looking at the size: 184 bytes is the largest algorithm of Bullet's own, so every
+// pool that works with Bullet holds it. The soft-body configuration's slots are 8-byte aligned.
+static_assert(sizeof(ConvexConvexAlgorithm) <= 184, "must fit Bullet's smallest pool element");
+static_assert(alignof(ConvexConvexAlgorithm) <= 8, "some of Bullet's pools align to 8 bytes only");
+
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -1,0 +1,30 @@
+// How one call of a pair ended.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "algorithms/fallback.h"
+#include "dgd_bullet/linkage.h"
+
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
+
+struct PairOutcome {
+  /// The stage that ended the call.
+  enum class Stage : std::uint8_t {
+    kSeparated,  ///< A separating axis, or a bound of the distance, shows that there are no contacts.
+    kRecycled,   ///< The last step's contacts are valid.
+    kUpdated,    ///< The signed distance was updated from the last query's.
+    kSolved,     ///< The growth distance was solved.
+  };
+
+  Stage stage = Stage::kSolved;
+  std::optional<Fallback> fallback = std::nullopt;  ///< Why there is no result; the other members are unused then.
+  int iterations = 0;
+  double gap = 0;  ///< Relative gap between the bounds of the growth distance, if that was solved.
+  int patch_size = 0;
+};
+
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -1,0 +1,25 @@
+// A set that a Bullet shape has become, in its place in the world. Free of Bullet: what is built on it alone serves
+// both precisions.
+#pragma once
+
+#include "dgd/any_set.h"
+#include "shapes/solver_types.h"
+
+namespace dgd_bullet {
+
+/// A shape in a pose, for one query.
+struct PosedShape {
+  dgd::AnySet set;
+  Pose pose;  ///< Of the set's own frame (z is the axis of round shapes) in the world.
+};
+
+/// A point inside of the shape, or on it if it has no inside; world.
+Vector3 CenterOf(const PosedShape& shape);
+
+/// The farthest point of a shape along a direction of unit length; world.
+Vector3 SupportPoint(const PosedShape& shape, const Vector3& direction);
+
+/// Moves the shapes' centres near to each other, where their cores allow it (dgd::CenteredCore).
+void MoveCentersTogether(PosedShape& shape_a, PosedShape& shape_b);
+
+}  // namespace dgd_bullet

@@ -1,0 +1,165 @@
+// Whether bodies that approach each other meet within the step.
+#include "conditioning/speculative_contacts.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "pipeline/pair_distance.h"
+#include "plugin/rigid_body.h"
+
+namespace dgd_test {
+namespace {
+
+using dgd_bullet::Encounter;
+using dgd_bullet::Vector3;
+
+constexpr double kFlush = 1e-5;  // m
+
+dgd_bullet::PosedShape BoxAt(const Vector3& half, const Vector3& place) {
+  constexpr double kRadius = 1e-3;
+  const Vector3 radii(kRadius, kRadius, kRadius);
+  return {dgd::RoundedSet{dgd::Box<double>(half - radii), kRadius}, {Eigen::Matrix3d::Identity(), place}};
+}
+
+/// A tile of 2 m whose top is z = 0, and a box of 50 cm that moves by `way` in the step; `edge` is how far its front is
+/// before the tile.
+dgd_bullet::PredictedEncounter Encountering(double height, double edge, const Vector3& way) {
+  const dgd_bullet::PosedShape tile = BoxAt({1, 1, 1}, {2, 0, -1}),
+                               box = BoxAt({0.25, 0.25, 0.25}, {0.75 - edge, 0, 0.25 + height});
+  btBoxShape shape(Vec(0.25, 0.25, 0.25));
+  const auto still = MakeRigidBody(shape, 0, btTransform::getIdentity());
+  const auto moving = MakeRigidBody(shape, 1, btTransform(btQuaternion::getIdentity(), Vec(0.75 - edge, 0, 0.25)));
+  moving->setLinearVelocity(Vec(way.x(), way.y(), way.z()));
+  const dgd_bullet::PairMotion motion(dgd_bullet::BoundedBody(*still), dgd_bullet::BoundedBody(*moving), 1);
+
+  dgd::Settings<double> settings;
+  dgd::WarmStart<double> warm_start;
+  dgd::Result<double> result = dgd::GrowthDistance(tile.set, tile.pose, box.set, box.pose, settings, &warm_start);
+  const bool follows = dgd_bullet::TurnToLeastTranslation(tile, box, settings, warm_start, result);
+  dgd_bullet::MovingPair pair(tile, box, motion);
+  pair.MoveTo(1);
+  const double at_end = pair.SeparationAlong(result.normal);
+  EXPECT_LT(at_end, -kFlush) << "the plane between them does not keep them apart";
+  return PredictEncounter(pair, settings, warm_start, follows, result, at_end, kFlush);
+}
+
+TEST(PredictEncounter, FlushBox_PassesOntoTheTile) {
+  const auto onto = Encountering(-1e-6, 0.05, {0.3, 0, 0});
+  EXPECT_EQ(onto.encounter, Encounter::kPass);
+  EXPECT_NEAR(onto.contact.normal.z(), 1, 1e-6) << "along the tile's top";
+}
+
+TEST(PredictEncounter, LowerBox_MeetsTheTilesSide) {
+  EXPECT_EQ(Encountering(-1e-2, 0.05, {0.3, 0, 0}).encounter, Encounter::kMeet);
+}
+
+TEST(PredictEncounter, FallingBox_MeetsTheTopAside) {
+  const auto aside = Encountering(0.02, 0.05, {0.3, 0, -0.05});
+  EXPECT_EQ(aside.encounter, Encounter::kMeetAside);
+  EXPECT_GT(aside.contact.normal.z(), 0.9);
+}
+
+TEST(PredictEncounter, BoxThatIsHigher_Passes) {
+  EXPECT_EQ(Encountering(0.02, 0.05, {0.3, 0, 0}).encounter, Encounter::kPass);
+}
+
+/// A ball above the tile's middle, which moves and spins.
+class BallOverTile : public testing::Test {
+ protected:
+  static constexpr double kRadius = 0.3, kTime = 0.1;  // m, s
+  static constexpr double kRoundoff = sizeof(btScalar) == sizeof(double) ? 1e-9 : 1e-6;
+
+  /// The contact where they are at the step's end, as it is at its start. The ball is shape A, or B.
+  dgd::Result<double> AtStart(double height, const Vector3& velocity, const Vector3& spin, bool is_ball_first = true) {
+    start_ = {2, 0, kRadius + height};
+    const dgd_bullet::PosedShape tile = BoxAt({1, 1, 1}, {2, 0, -1}),
+                                 ball = {dgd::RoundedSet{dgd::Point<double>(), kRadius},
+                                         {Eigen::Matrix3d::Identity(), start_}};
+    btSphereShape shape{btScalar(kRadius)};
+    const auto still = MakeRigidBody(shape, 0, btTransform::getIdentity());
+    const auto moving =
+        MakeRigidBody(shape, 1, btTransform(btQuaternion::getIdentity(), Vec(start_.x(), start_.y(), start_.z())));
+    moving->setLinearVelocity(Vec(velocity.x(), velocity.y(), velocity.z()));
+    moving->setAngularVelocity(Vec(spin.x(), spin.y(), spin.z()));
+    const dgd_bullet::BoundedBody reach_of_tile(*still), reach_of_ball(*moving);
+    const dgd_bullet::PairMotion motion = is_ball_first ? dgd_bullet::PairMotion(reach_of_ball, reach_of_tile, kTime)
+                                                        : dgd_bullet::PairMotion(reach_of_tile, reach_of_ball, kTime);
+    dgd_bullet::MovingPair pair =
+        is_ball_first ? dgd_bullet::MovingPair(ball, tile, motion) : dgd_bullet::MovingPair(tile, ball, motion);
+    pair.MoveTo(1);
+    dgd::WarmStart<double> warm_start;
+    return pair.AtStart(pair.Distance({}, false, warm_start));
+  }
+
+  Vector3 start_ = Vector3::Zero();  // The ball's centre.
+};
+
+// The point that touches next is below the ball's centre. What has turned to where it will be comes from behind, with
+// an arm that would brake the ball.
+TEST_F(BallOverTile, SpinningBall_TouchesBelowItsCentre) {
+  for (const Vector3& spin : {Vector3(0, 0, 0), Vector3(0, 3, 0), Vector3(-7, 2, 5)}) {
+    const dgd::Result<double> contact = AtStart(1e-3, {0.9, 0.2, 0}, spin);
+    const Vector3 below = start_ - kRadius * Vector3::UnitZ();
+    EXPECT_LE((contact.witness_1 - below).norm(), kRoundoff) << spin.transpose();
+    EXPECT_LE((contact.witness_2 - contact.witness_1 - contact.separation * contact.normal).norm(), kRoundoff);
+  }
+}
+
+TEST_F(BallOverTile, Spin_IsNoApproach) {
+  EXPECT_NEAR(AtStart(1e-3, {0.9, 0, 0}, {0, 3, 0}).separation, 1e-3, kRoundoff);
+  EXPECT_NEAR(AtStart(1e-3, {0, 0, 0}, {-7, 20, 5}).separation, 1e-3, kRoundoff);
+}
+
+TEST_F(BallOverTile, FallingBall_IsAsFarAsItFalls) {
+  EXPECT_NEAR(AtStart(0.02, {0.9, 0, -0.15}, {0, 3, 0}).separation, 0.02, kRoundoff);
+}
+
+TEST_F(BallOverTile, OtherOrder_SamePlaces) {
+  const dgd::Result<double> contact = AtStart(0.02, {0.9, 0.2, -0.15}, {1, 3, 0}),
+                            mirrored = AtStart(0.02, {0.9, 0.2, -0.15}, {1, 3, 0}, false);
+  EXPECT_LE((contact.witness_1 - mirrored.witness_2).norm(), kRoundoff);
+  EXPECT_LE((contact.normal + mirrored.normal).norm(), kRoundoff);
+  EXPECT_NEAR(contact.separation, mirrored.separation, kRoundoff);
+}
+
+/// Whether a cube that stands on the tile's edge-to-edge diagonal, its lowest edge 2 mm clear, meets the tile's top as
+/// it turns about its own axis by an angle and sinks.
+bool TurningCubeMeets(double start, double angle, double sinks) {
+  const double radius = 0.2 * std::sqrt(2);
+  const dgd_bullet::PosedShape tile = BoxAt({1, 1, 1}, {0, 0, -1});
+  dgd_bullet::PosedShape cube = BoxAt({0.2, 0.2, 0.2}, {0, 0, radius + 2e-3});
+  cube.pose.rotation = Eigen::AngleAxisd(start, Vector3::UnitY()).toRotationMatrix();
+  btBoxShape shape(Vec(0.2, 0.2, 0.2));
+  const auto still = MakeRigidBody(shape, 0, btTransform::getIdentity());
+  const auto moving =
+      MakeRigidBody(shape, 1, btTransform(btQuaternion::getIdentity(), Vec(0, 0, cube.pose.translation.z())));
+  moving->setLinearVelocity(Vec(0, 0, -sinks));
+  moving->setAngularVelocity(Vec(0, angle, 0));
+  const dgd_bullet::PairMotion motion(dgd_bullet::BoundedBody(*moving), dgd_bullet::BoundedBody(*still), 1);
+  // Its corner is on its way down as fast as the rim turns: along a straight line it would be far below the top.
+  const Vector3 corner = cube.pose * Vector3(0.2, 0, -0.2);
+  EXPECT_GT(motion.Approach(corner, -Vector3::UnitZ()), 0.02);
+  const bool turns_clear = dgd_bullet::TurnsClear(cube, tile, motion, -Vector3::UnitZ(), kFlush);
+  // A contact that is handed over all the same is not closed by the straight motion.
+  dgd::ContactPatch<double> patch;
+  patch.size = 1;
+  patch.points[0] = {corner, {corner.x(), corner.y(), 0}, corner.z()};
+  dgd_bullet::LetPass(patch, -Vector3::UnitZ(), motion, kFlush);
+  EXPECT_GT(patch.points[0].separation, motion.Approach(patch.points[0].on_2, -Vector3::UnitZ()));
+  return !turns_clear;
+}
+
+TEST(TurnsClear, CubeThatTurnsClear_DoesNotMeet) {
+  for (const double angle : {0.3, 0.8, 1.5}) EXPECT_FALSE(TurningCubeMeets(0.5, angle, 0)) << angle;
+}
+
+TEST(TurnsClear, CubeThatSinksAsItTurns_Meets) {
+  // At the end of the step, and half way only: a face is down at the end.
+  EXPECT_TRUE(TurningCubeMeets(0.5, 0.3, 0.01));
+  EXPECT_TRUE(TurningCubeMeets(std::numbers::pi / 8, std::numbers::pi / 4, 0.006));
+}
+
+}  // namespace
+}  // namespace dgd_test
