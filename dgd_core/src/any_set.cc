@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "dgd/contact/half_space_patch.h"
 #include "dgd/half_space_distance.h"
-#include "dgd/half_space_patch.h"
 #include "pair_solver.h"
 
 namespace dgd {
@@ -67,20 +67,20 @@ SignedDistanceResult<double> SignedDistance(const AnySet& set_1, const Pose<doub
   });
 }
 
-SignedDistanceResult<double> FollowDistance(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
+SignedDistanceResult<double> UpdateDistance(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
                                             const Pose<double>& pose_2, const Settings<double>& settings,
                                             WarmStart<double>& state) {
   return Dispatch(set_1, set_2, settings, [&](auto solver, const auto& a, const auto& b, const auto& for_pair) {
-    return solver.FollowDistance(a, pose_1, b, pose_2, for_pair, state);
+    return solver.UpdateDistance(a, pose_1, b, pose_2, for_pair, state);
   });
 }
 
-SignedDistanceResult<double> FollowFace(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
-                                        const Pose<double>& pose_2, const Settings<double>& settings,
-                                        double angular_tolerance, FaceHolder holder, WarmStart<double>& state,
-                                        FacingFaces<double>& facing) {
+SignedDistanceResult<double> UpdateOnReferenceFace(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
+                                                   const Pose<double>& pose_2, const Settings<double>& settings,
+                                                   double angular_tolerance, ReferenceSide holder,
+                                                   WarmStart<double>& state, FacingFaces<double>& facing) {
   return Dispatch(set_1, set_2, settings, [&](auto solver, const auto& a, const auto& b, const auto& for_pair) {
-    return solver.FollowFace(a, pose_1, b, pose_2, for_pair, angular_tolerance, holder, state, facing);
+    return solver.UpdateOnReferenceFace(a, pose_1, b, pose_2, for_pair, angular_tolerance, holder, state, facing);
   });
 }
 

@@ -55,7 +55,7 @@ AffineFrame FindAffineFrame(std::span<const Vector3d> points) {
     Vector3d farthest = Vector3d::Zero();
     for (const Vector3d& point : points) {
       Vector3d offset = point - frame.origin;
-      // Twice, since one pass leaves a part of the order of rounding, as large as what a flat set has left.
+      // Twice, since one pass leaves a part of the order of roundoff, as large as what a flat set has left.
       for (int pass = 0; pass < 2; ++pass) {
         for (int axis = 0; axis < dimension; ++axis) offset -= frame.axes[axis] * frame.axes[axis].dot(offset);
       }
@@ -282,14 +282,14 @@ void FindCenterAndInradius(ConvexHull& hull) {
   }
   hull.center = volume > 0 ? Vector3d(inner + moment / volume) : inner;
   double inradius = DepthOf(hull.center, hull);
-  // A needle's volume is less than the rounding of its parts, and its centroid anywhere.
+  // A needle's volume is less than the roundoff of its parts, and its centroid anywhere.
   if (!(inradius > 0)) {
     hull.center = inner;
     inradius = DepthOf(hull.center, hull);
   }
   double extent = 0;
   for (const Vector3d& vertex : hull.vertices) extent = std::max(extent, (vertex - hull.center).norm());
-  // Rounding of Qhull's normals, of the order of its own distance tolerance.
+  // Roundoff of Qhull's normals, of the order of its own distance tolerance.
   constexpr double kRounding = 32 * std::numeric_limits<double>::epsilon();
   hull.inradius = std::max(0.0, inradius - kRounding * extent);
 }

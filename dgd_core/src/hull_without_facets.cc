@@ -41,7 +41,7 @@ double InradiusAboutMean(std::span<const Vector3d> points, const Vector3d& mean)
   covariance /= static_cast<double>(points.size());
   const double extent = std::sqrt(extent_sq);
   if (!(extent >= kLeastExtent && extent <= kMostExtent)) return 0;
-  // Of thinner sets, the inverse is rounding. False for NaN.
+  // Of thinner sets, the inverse is roundoff. False for NaN.
   constexpr double kLeastVolume = 1e-12;
   const double size = covariance.trace();
   if (!(covariance.determinant() > kLeastVolume * size * size * size)) return 0;
@@ -53,7 +53,7 @@ double InradiusAboutMean(std::span<const Vector3d> points, const Vector3d& mean)
   }
   // No eigenvalue is above a row's sum.
   const double greatest = inverse.cwiseAbs().rowwise().sum().maxCoeff();
-  // Rounding of the inverse, where the determinant is least, and of the mean.
+  // Roundoff of the inverse, where the determinant is least, and of the mean.
   constexpr double kRelative = 1e-5, kRounding = 32 * std::numeric_limits<double>::epsilon();
   const double inradius =
       (1 - kRelative) / std::sqrt(longest_sq * greatest) - kRounding * (extent + mean.lpNorm<Eigen::Infinity>());

@@ -18,13 +18,14 @@ struct PairSolver {
                                                      const Pose<double>& pose_2, const Result<double>& growth,
                                                      const WarmStart<double>* warm_start,
                                                      const Settings<double>& settings, WarmStart<double>* follow);
-  static SignedDistanceResult<double> FollowDistance(const Set1& set_1, const Pose<double>& pose_1, const Set2& set_2,
+  static SignedDistanceResult<double> UpdateDistance(const Set1& set_1, const Pose<double>& pose_1, const Set2& set_2,
                                                      const Pose<double>& pose_2, const Settings<double>& settings,
                                                      WarmStart<double>& state);
-  static SignedDistanceResult<double> FollowFace(const Set1& set_1, const Pose<double>& pose_1, const Set2& set_2,
-                                                 const Pose<double>& pose_2, const Settings<double>& settings,
-                                                 double angular_tolerance, FaceHolder holder, WarmStart<double>& state,
-                                                 FacingFaces<double>& facing);
+  static SignedDistanceResult<double> UpdateOnReferenceFace(const Set1& set_1, const Pose<double>& pose_1,
+                                                            const Set2& set_2, const Pose<double>& pose_2,
+                                                            const Settings<double>& settings, double angular_tolerance,
+                                                            ReferenceSide holder, WarmStart<double>& state,
+                                                            FacingFaces<double>& facing);
 };
 
 using PolytopeSet = RoundedSet<PolytopeCore>;

@@ -1,8 +1,8 @@
 // What PairSolver's functions do. For the files that instantiate it.
 #pragma once
 
+#include "dgd/contact/reference_face.h"
 #include "dgd/growth_distance.h"
-#include "dgd/held_face.h"
 #include "dgd/signed_distance.h"
 #include "pair_solver.h"
 
@@ -34,20 +34,19 @@ SignedDistanceResult<double> PairSolver<Set1, Set2>::SignedDistance(const Set1& 
 }
 
 template <class Set1, class Set2>
-SignedDistanceResult<double> PairSolver<Set1, Set2>::FollowDistance(const Set1& set_1, const Pose<double>& pose_1,
+SignedDistanceResult<double> PairSolver<Set1, Set2>::UpdateDistance(const Set1& set_1, const Pose<double>& pose_1,
                                                                     const Set2& set_2, const Pose<double>& pose_2,
                                                                     const Settings<double>& settings,
                                                                     WarmStart<double>& state) {
-  return dgd::FollowDistance(set_1, pose_1, set_2, pose_2, settings, state);
+  return dgd::UpdateDistance(set_1, pose_1, set_2, pose_2, settings, state);
 }
 
 template <class Set1, class Set2>
-SignedDistanceResult<double> PairSolver<Set1, Set2>::FollowFace(const Set1& set_1, const Pose<double>& pose_1,
-                                                                const Set2& set_2, const Pose<double>& pose_2,
-                                                                const Settings<double>& settings,
-                                                                double angular_tolerance, FaceHolder holder,
-                                                                WarmStart<double>& state, FacingFaces<double>& facing) {
-  return dgd::FollowFace(set_1, pose_1, set_2, pose_2, settings, angular_tolerance, holder, state, facing);
+SignedDistanceResult<double> PairSolver<Set1, Set2>::UpdateOnReferenceFace(
+    const Set1& set_1, const Pose<double>& pose_1, const Set2& set_2, const Pose<double>& pose_2,
+    const Settings<double>& settings, double angular_tolerance, ReferenceSide holder, WarmStart<double>& state,
+    FacingFaces<double>& facing) {
+  return dgd::UpdateOnReferenceFace(set_1, pose_1, set_2, pose_2, settings, angular_tolerance, holder, state, facing);
 }
 
 }  // namespace dgd

@@ -1,4 +1,4 @@
-// Compiled for AVX2, without FMA: one rounding per operation, so that all processors find the same vertices.
+// Compiled for AVX2, without FMA: one roundoff per operation, so that all processors find the same vertices.
 #include <immintrin.h>
 
 #include "dgd/shapes/vertex_scan_kernels.h"
@@ -19,7 +19,7 @@ struct Doubles {
   static Vector Add(Vector a, Vector b) { return _mm256_add_pd(a, b); }
   static Vector Subtract(Vector a, Vector b) { return _mm256_sub_pd(a, b); }
   static Vector Multiply(Vector a, Vector b) { return _mm256_mul_pd(a, b); }
-  // The second one if either is no number.
+  // The second one if either is not finite.
   static Vector Greater(Vector a, Vector b) { return _mm256_max_pd(a, b); }
   static Vector IsAbove(Vector a, Vector b) { return _mm256_cmp_pd(a, b, _CMP_GT_OQ); }
   static Vector Choose(Vector no, Vector yes, Vector mask) { return _mm256_blendv_pd(no, yes, mask); }

@@ -101,7 +101,7 @@ std::vector<dgd::AnySet> MakeSets(const std::string& kind, Draw& draw) {
     dgd::WarmStart<double> follow;
     (void)dgd::SignedDistance(a, pose_a, b, pose_b, growth, &state, {}, &follow);
     if (query == "follow") {
-      for (const Pose& pose : frames) (void)dgd::FollowDistance(a, pose_a, b, pose, {}, follow);
+      for (const Pose& pose : frames) (void)dgd::UpdateDistance(a, pose_a, b, pose, {}, follow);
     }
   }
 }

@@ -121,7 +121,7 @@ TEST_F(AnySetTest, WarmStartAndDistanceOfTheLastFrame_GoOn) {
   const auto distance = dgd::SignedDistance(box, pose_1, capsule, pose_2, growth, &state, {}, &next);
   EXPECT_NEAR(distance.separation, 0.15, 1e-12);
   pose_2.translation.z() = 1.1;
-  const auto followed = dgd::FollowDistance(box, pose_1, capsule, pose_2, {}, next);
+  const auto followed = dgd::UpdateDistance(box, pose_1, capsule, pose_2, {}, next);
   EXPECT_EQ(followed.status, dgd::Status::kOptimal);
   EXPECT_NEAR(followed.separation, 0.05, 1e-12);
 }
@@ -187,7 +187,8 @@ TEST_F(AnySetTest, FacesOnAHalfSpaceAndOnABox_AreFound) {
   dgd::WarmStart<double> state;
   state.normal_1 = growth.normal;
   const AnySet rounded = RoundedSet{dgd::Box<double>({0.5, 0.5, 0.5}), 0.01};
-  const auto kept = dgd::FollowFace(rounded, Pose(), rounded, above, {}, 0.1, dgd::FaceHolder::kSet1, state, facing);
+  const auto kept =
+      dgd::UpdateOnReferenceFace(rounded, Pose(), rounded, above, {}, 0.1, dgd::ReferenceSide::kSet1, state, facing);
   EXPECT_EQ(kept.status, dgd::Status::kOptimal);
   EXPECT_NEAR(kept.separation, 0.08, 1e-14);
 }

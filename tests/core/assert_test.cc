@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "dgd/facing_faces.h"
+#include "dgd/contact/facing_faces.h"
 
 namespace dgd_test {
 namespace {

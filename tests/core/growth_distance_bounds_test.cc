@@ -29,7 +29,8 @@ template <class S>
                                        << reference.Dump();
 }
 
-/// Of RayIntersection: the walk (ray/facet_walk.h) is for those who set no tight limit, and is not told step by step.
+/// Of RayIntersection: the walk (solver/portal_refinement.h) is for those who set no tight limit, and is not told step
+/// by step.
 template <class S>
 void CheckEveryIterationLimit(int pairs) {
   Random random(TestSeed());

@@ -4,8 +4,8 @@
 
 #include <limits>
 
+#include "dgd/contact/half_space_patch.h"
 #include "dgd/contact_patch.h"
-#include "dgd/half_space_patch.h"
 #include "dgd/shapes.h"
 #include "support/random.h"
 

@@ -49,7 +49,7 @@ int CheckObserver(const dgd::RoundedSet<Core1>& set_1, const dgd::RoundedSet<Cor
         EXPECT_NEAR(told[k].normal.norm(), 1, 1e-14);
         EXPECT_LE(told[k].lower_bound, told[k].upper_bound);
         if (k == 0) continue;
-        // The lower one but for rounding: see LowerBound() in ray/ray_intersection.h.
+        // The lower one but for rounding: see LowerBound() in solver/ray_intersection.h.
         EXPECT_GE(told[k].lower_bound, told[k - 1].lower_bound * (1 - 2 * dgd::kEpsilon<double>));
         EXPECT_LE(told[k].upper_bound, told[k - 1].upper_bound);
       }

@@ -176,7 +176,7 @@ TEST(WarmStart, RotationsRoundedToFloat_KeepTheNormal) {
     ASSERT_EQ(pair.GrowthDistance(settings, &by_distance).status, dgd::Status::kSeparated);
     ASSERT_EQ(pair.DetectCollision({}, &by_check).status, dgd::Status::kSeparated);
     for (dgd::WarmStart<double>* state : {&by_distance, &by_check}) {
-      ASSERT_TRUE(dgd::WereApart(state)) << state->normal_1.norm() - 1;
+      ASSERT_TRUE(dgd::HasSeparatingAxis(state)) << state->normal_1.norm() - 1;
       ASSERT_EQ(pair.GrowthDistance(settings, state).iterations, 1);
     }
   }

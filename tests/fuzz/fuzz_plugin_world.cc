@@ -83,7 +83,7 @@ class FuzzWorld {
     if (is_continuous_) world_.getDispatchInfo().m_dispatchFunc = btDispatcherInfo::DISPATCH_CONTINUOUS;
     Resident ground;
     ground.shape = std::make_shared<btBoxShape>(Vec(10, 10, 1));
-    Settle(std::move(ground), 0, btTransform(btMatrix3x3::getIdentity(), Vec(0, 0, -1)));
+    FinalizeBasis(std::move(ground), 0, btTransform(btMatrix3x3::getIdentity(), Vec(0, 0, -1)));
   }
   ~FuzzWorld() {
     for (const Resident& resident : residents_) world_.removeRigidBody(resident.body.get());
@@ -229,7 +229,7 @@ class FuzzWorld {
     }
   }
 
-  void Settle(Resident resident, double mass, const btTransform& pose) {
+  void FinalizeBasis(Resident resident, double mass, const btTransform& pose) {
     resident.body = dgd_test::MakeRigidBody(*resident.shape, mass, pose);
     resident.body->setContactProcessingThreshold(BT_LARGE_FLOAT);
     world_.addRigidBody(resident.body.get());
@@ -245,7 +245,7 @@ class FuzzWorld {
     const double mass = input_.Below(5) == 0 ? 0 : 1 + std::abs(input_.ModerateNumber());
     const btTransform pose = Pose(resident.is_tame);
     const btScalar restitution = input_.Flip() ? 0 : 1;
-    Settle(std::move(resident), mass, pose);
+    FinalizeBasis(std::move(resident), mass, pose);
     residents_.back().body->setRestitution(restitution);
   }
 

@@ -30,7 +30,7 @@ StirredHeap::StirredHeap(int bodies, std::uint64_t seed)
       world_(&dispatching_.dispatcher(), &broadphase_, &solver_, &dispatching_.configuration()) {
   world_.setGravity(Vec(0, 0, -9.81));
   AddPit();
-  for (int i = 0; i < bodies; ++i) Settle(MakeResident());
+  for (int i = 0; i < bodies; ++i) FinalizeBasis(MakeResident());
 }
 
 StirredHeap::~StirredHeap() {
@@ -90,7 +90,7 @@ StirredHeap::Resident StirredHeap::MakeResident() {
   return resident;
 }
 
-void StirredHeap::Settle(Resident resident) {
+void StirredHeap::FinalizeBasis(Resident resident) {
   world_.addRigidBody(resident.body.get());
   residents_.push_back(std::move(resident));
 }
@@ -100,7 +100,7 @@ void StirredHeap::ReplaceOne() {
   world_.removeRigidBody(leaving.body.get());
   std::swap(leaving, residents_.back());
   residents_.pop_back();
-  Settle(MakeResident());
+  FinalizeBasis(MakeResident());
   ++replaced_;
 }
 

@@ -46,7 +46,7 @@ class StirredHeap {
   void AddPit();
   void AddStatic(std::shared_ptr<btConvexShape> shape, const btVector3& position);
   Resident MakeResident();
-  void Settle(Resident resident);
+  void FinalizeBasis(Resident resident);
   void ReplaceOne();
 
   dgd_test::Random random_;

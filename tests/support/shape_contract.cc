@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "dgd/ray/tolerances.h"
+#include "dgd/solver/tolerances.h"
 
 namespace dgd_test {
 namespace {

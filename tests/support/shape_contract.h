@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "dgd/contact/supporting_face.h"
 #include "dgd/convex_set.h"
-#include "dgd/supporting_face.h"
 #include "support/pairs/erased_core.h"
 #include "support/random.h"
 #include "support/reference_set.h"

@@ -105,7 +105,7 @@ double MaxDrift(const btPersistentManifold& manifold) {
 
 /// Whether contacts will still be on their reference face at the end of the step.
 bool StayOn(const ReferenceFace& face, const PairMotion& motion, const btPersistentManifold& manifold) {
-  if (face.side == dgd::FaceHolder::kNone) return false;
+  if (face.side == dgd::ReferenceSide::kNone) return false;
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     if (!(motion.Slip(FromBullet(manifold.getContactPoint(i).m_positionWorldOnB)) <= face.max_drift)) return false;
   }
@@ -134,14 +134,14 @@ int MinRecycledContacts(const btCollisionObjectWrapper& body_a, const btCollisio
 }
 
 ReferenceFace ReferenceFaceOf(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
-                              dgd::FaceHolder side, const btPersistentManifold& manifold) {
+                              dgd::ReferenceSide side, const btPersistentManifold& manifold) {
   const int contacts = manifold.getNumContacts();
   if (contacts < MinRecycledContacts(body_a, body_b)) return {};
-  if (side != dgd::FaceHolder::kNone) return {side, MaxDrift(manifold)};
+  if (side != dgd::ReferenceSide::kNone) return {side, MaxDrift(manifold)};
   // The normal of edges alone may turn by more than either body does.
   constexpr int kMinOfTwoFaces = 3;
   if (contacts < kMinOfTwoFaces) return {};
-  return {dgd::FaceHolder::kSet1, MaxDrift(manifold)};
+  return {dgd::ReferenceSide::kSet1, MaxDrift(manifold)};
 }
 
 RecycledContacts::CachedSide::CachedSide(const btCollisionObjectWrapper& body)
@@ -156,7 +156,7 @@ RecycledContacts::RecycledContacts(const btCollisionObjectWrapper& body_a, const
       face_(face),
       contacts_(manifold.getNumContacts()) {
   DGD_ASSERT(contacts_ >= 1 && contacts_ <= MANIFOLD_CACHE_SIZE && !(face.max_drift < 0));
-  if (face_.side == dgd::FaceHolder::kNone) return;
+  if (face_.side == dgd::ReferenceSide::kNone) return;
   normal_ = manifold.getContactPoint(0).m_normalWorldOnB * FaceSide().pose.getBasis();
 }
 
@@ -198,12 +198,12 @@ RecycledContacts::PoseChange RecycledContacts::ComparePoses(const btCollisionObj
       MaxDisplacement(sides_[1].pose, pose_b, sides_[1].radius) <= distance) {
     return PoseChange::kStill;
   }
-  if (face_.side == dgd::FaceHolder::kNone) return PoseChange::kChanged;
+  if (face_.side == dgd::ReferenceSide::kNone) return PoseChange::kChanged;
   // Body B's motion as body A sees it: a point x of B's goes by turn * x + shift.
   const btTransform pose_ab = pose_a.inverseTimes(pose_b);
   const btMatrix3x3 turn = pose_ab.getBasis() - pose_ab_.getBasis();
   const btVector3 shift = pose_ab.getOrigin() - pose_ab_.getOrigin();
-  const btVector3 normal_on_b = face_.side == dgd::FaceHolder::kSet1 ? normal_ * pose_ab_.getBasis() : normal_;
+  const btVector3 normal_on_b = face_.side == dgd::ReferenceSide::kSet1 ? normal_ * pose_ab_.getBasis() : normal_;
   const btScalar radius = std::min(sides_[0].radius, sides_[1].radius);
   btScalar drift_sq = btScalar(kTiltWeight * kTiltWeight) * radius * radius * (turn * normal_on_b).length2();
   for (int i = 0; i < contacts_; ++i) {
@@ -217,7 +217,7 @@ RecycledContacts::PoseChange RecycledContacts::ComparePoses(const btCollisionObj
 
 void RecycledContacts::TurnNormals(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
                                    bool order_by_impulse, btPersistentManifold& manifold) {
-  DGD_ASSERT(face_.side != dgd::FaceHolder::kNone);
+  DGD_ASSERT(face_.side != dgd::ReferenceSide::kNone);
   sides_[0].pose = body_a.getWorldTransform();
   sides_[1].pose = body_b.getWorldTransform();
   DGD_ASSERT(manifold.getNumContacts() == contacts_);

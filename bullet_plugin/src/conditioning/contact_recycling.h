@@ -23,7 +23,7 @@
 #include <array>
 #include <memory>
 
-#include "dgd/held_face.h"
+#include "dgd/contact/reference_face.h"
 #include "dgd_bullet/linkage.h"
 #include "shapes/hull_cache.h"
 #include "shapes/shape_identity.h"
@@ -43,7 +43,8 @@ bool MayRecycle(const Options& options, const PairManifold& manifold);
 
 /// The face that contacts lie on, if any.
 struct ReferenceFace {
-  dgd::FaceHolder side = dgd::FaceHolder::kNone;  ///< The body whose face it is; the contacts' normal turns with it.
+  dgd::ReferenceSide side =
+      dgd::ReferenceSide::kNone;  ///< The body whose face it is; the contacts' normal turns with it.
   /// How far contacts may slide, and the smaller body's rim tilt by half as much, before they are found from scratch;
   /// metres.
   double max_drift = 0;
@@ -59,7 +60,7 @@ int MinRecycledContacts(const btCollisionObjectWrapper& body_a, const btCollisio
 /// @param side  The body that has a face across the normal, if any. Without one, three contacts or more are where edges
 ///              of two faces cross that are nearly parallel: the normal is neither's, and turns with both.
 ReferenceFace ReferenceFaceOf(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
-                              dgd::FaceHolder side, const btPersistentManifold& manifold);
+                              dgd::ReferenceSide side, const btPersistentManifold& manifold);
 
 /// A pair as it was when its contacts were found; the two bodies in the order that their shapes are solved in.
 class RecycledContacts {
@@ -112,7 +113,7 @@ class RecycledContacts {
   PoseChange Compare(const Side& a, const Side& b, const btPersistentManifold& manifold) const;
   PoseChange ComparePoses(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
                           const btPersistentManifold& manifold) const;
-  const CachedSide& FaceSide() const { return sides_[face_.side == dgd::FaceHolder::kSet1 ? 0 : 1]; }
+  const CachedSide& FaceSide() const { return sides_[face_.side == dgd::ReferenceSide::kSet1 ? 0 : 1]; }
 
   /// Turns the contacts' normal with the reference face of bodies that have moved together.
   void TurnNormals(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,

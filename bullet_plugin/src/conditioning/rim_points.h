@@ -11,8 +11,8 @@
 // s.
 #pragma once
 
+#include "dgd/contact/facing_faces.h"
 #include "dgd/contact_patch.h"
-#include "dgd/facing_faces.h"
 #include "dgd_bullet/linkage.h"
 #include "pipeline/pair_motion.h"
 #include "shapes/posed_shape.h"

@@ -6,7 +6,7 @@
 
 #include "conditioning/speculative_contacts.h"
 #include "dgd/assert.h"
-#include "dgd/facing_faces.h"
+#include "dgd/contact/facing_faces.h"
 #include "pipeline/pair_patch.h"
 #include "pipeline/pair_query.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "dgd/assert.h"
-#include "dgd/held_face.h"
+#include "dgd/contact/reference_face.h"
 #include "dgd/query_types.h"
 #include "dgd_bullet/linkage.h"
 #include "shapes/hull_cache.h"
@@ -33,8 +33,8 @@ class PairCache {
 
   Kind kind() const { return kind_; }
   /// The shape that has the reference face, if there is one.
-  dgd::FaceHolder ReferenceSide() const {
-    DGD_ASSERT((side_ != dgd::FaceHolder::kNone) == (kind_ == Kind::kReferenceFace));
+  dgd::ReferenceSide ReferenceSide() const {
+    DGD_ASSERT((side_ != dgd::ReferenceSide::kNone) == (kind_ == Kind::kReferenceFace));
     return side_;
   }
   /// Whether the distance of the cores may be positive.
@@ -54,12 +54,12 @@ class PairCache {
   void Set(Kind kind) {
     DGD_ASSERT(kind != Kind::kReferenceFace);
     kind_ = kind;
-    side_ = dgd::FaceHolder::kNone;
+    side_ = dgd::ReferenceSide::kNone;
   }
   /// Sets the reference face to that of `side`.
   /// @param otherwise  The kind if that is no side.
-  void SetReferenceFace(dgd::FaceHolder side, Kind otherwise) {
-    if (side == dgd::FaceHolder::kNone) return Set(otherwise);
+  void SetReferenceFace(dgd::ReferenceSide side, Kind otherwise) {
+    if (side == dgd::ReferenceSide::kNone) return Set(otherwise);
     kind_ = Kind::kReferenceFace;
     side_ = side;
   }
@@ -86,7 +86,7 @@ class PairCache {
 
  private:
   Kind kind_ = Kind::kNothing;
-  dgd::FaceHolder side_ = dgd::FaceHolder::kNone;  // kNone unless kReferenceFace.
+  dgd::ReferenceSide side_ = dgd::ReferenceSide::kNone;  // kNone unless kReferenceFace.
   bool is_swapped_ = false;
   Hull hull_a_, hull_b_;
   dgd::WarmStart<double> warm_start_;

@@ -64,17 +64,17 @@ std::optional<Contact> UpdateDistance(const PosedShape& shape_a, const PosedShap
   const bool are_polytopes = shape_a.set.AsPolytope() != nullptr && shape_b.set.AsPolytope() != nullptr;
   if (are_polytopes && warm_start.size == 0) return std::nullopt;
   return CertainContact(
-      dgd::FollowDistance(shape_a.set, shape_a.pose, shape_b.set, shape_b.pose, settings, warm_start));
+      dgd::UpdateDistance(shape_a.set, shape_a.pose, shape_b.set, shape_b.pose, settings, warm_start));
 }
 
 std::optional<Contact> UpdateOnReferenceFace(const PosedShape& shape_a, const PosedShape& shape_b,
                                              const dgd::Settings<double>& settings, double angular_tolerance,
-                                             dgd::FaceHolder side, dgd::WarmStart<double>& warm_start,
+                                             dgd::ReferenceSide side, dgd::WarmStart<double>& warm_start,
                                              dgd::FacingFaces<double>& facing) {
   // Shapes that only Bullet can evaluate show no faces.
   if (IsCustom(shape_a, shape_b)) return std::nullopt;
-  return CertainContact(dgd::FollowFace(shape_a.set, shape_a.pose, shape_b.set, shape_b.pose, settings,
-                                        angular_tolerance, side, warm_start, facing));
+  return CertainContact(dgd::UpdateOnReferenceFace(shape_a.set, shape_a.pose, shape_b.set, shape_b.pose, settings,
+                                                   angular_tolerance, side, warm_start, facing));
 }
 
 }  // namespace dgd_bullet

@@ -26,14 +26,14 @@ std::optional<Contact> UpdateDistance(const PosedShape& shape_a, const PosedShap
                                       const dgd::Settings<double>& settings, dgd::WarmStart<double>& warm_start);
 
 /// Replaces them for a pair whose last contact was on a face of one of the shapes, on which it most often still is: the
-/// contact's patch alone proves the distance (dgd::FollowFace()).
+/// contact's patch alone proves the distance (dgd::UpdateOnReferenceFace()).
 /// @param side    The shape that has that face.
 /// @param facing  Out: the faces along the normal, if the contact is optimal and a face is across it; else without an
 ///                overlap.
 /// @return nothing, with nothing but `facing` changed, if the face does not prove the distance.
 std::optional<Contact> UpdateOnReferenceFace(const PosedShape& shape_a, const PosedShape& shape_b,
                                              const dgd::Settings<double>& settings, double angular_tolerance,
-                                             dgd::FaceHolder side, dgd::WarmStart<double>& warm_start,
+                                             dgd::ReferenceSide side, dgd::WarmStart<double>& warm_start,
                                              dgd::FacingFaces<double>& facing);
 
 }  // namespace dgd_bullet

@@ -1,8 +1,8 @@
 // The contact patch of a solved pair.
 #pragma once
 
+#include "dgd/contact/facing_faces.h"
 #include "dgd/contact_patch.h"
-#include "dgd/facing_faces.h"
 #include "dgd_bullet/linkage.h"
 #include "pipeline/pair_motion.h"
 

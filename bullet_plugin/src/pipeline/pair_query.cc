@@ -80,7 +80,7 @@ void PairQuery::FindFacing(const Contact& contact) {
                        facing);
   if (!wants_least_translation || !cache.MayBeApart()) return;
   const bool had_face = cache.kind() == PairCache::Kind::kReferenceFace;
-  cache.SetReferenceFace(dgd::HolderOf(facing), had_face ? PairCache::Kind::kSeparatingAxis : cache.kind());
+  cache.SetReferenceFace(dgd::ReferenceSideOf(facing), had_face ? PairCache::Kind::kSeparatingAxis : cache.kind());
 }
 
 }  // namespace DGD_BULLET_PRECISION

@@ -3,8 +3,8 @@
 
 #include "dgd/any_set.h"
 #include "dgd/assert.h"
+#include "dgd/contact/facing_faces.h"
 #include "dgd/contact_patch.h"
-#include "dgd/facing_faces.h"
 #include "dgd_bullet/linkage.h"
 #include "dgd_bullet/options.h"
 #include "pipeline/contact_range.h"

@@ -13,7 +13,7 @@
 #include "conditioning/rim_points.h"
 #include "conditioning/speculative_contacts.h"
 #include "dgd/assert.h"
-#include "dgd/half_space_patch.h"
+#include "dgd/contact/half_space_patch.h"
 #include "pipeline/contact_range.h"
 #include "pipeline/pair_motion.h"
 #include "pipeline/pair_patch.h"
@@ -131,7 +131,7 @@ PairOutcome RunPlanePipeline(PairState& pair, std::shared_ptr<const CachedHull>&
   const PairOutcome outcome = CatchFailures([&] { return FindContacts(pair, hull, call, contacts); });
   if (outcome.fallback) return SolveByBullet(pair, call, *outcome.fallback);
   // The plane's own face is the contacts' reference face.
-  return WriteContacts(pair, call, contacts, false, dgd::FaceHolder::kSet2, outcome);
+  return WriteContacts(pair, call, contacts, false, dgd::ReferenceSide::kSet2, outcome);
 }
 
 }  // namespace DGD_BULLET_PRECISION

@@ -19,7 +19,7 @@ bool UpdateRecycledContacts(PairState& pair, const RecycledContacts::Side& a, co
 }
 
 PairOutcome WriteContacts(PairState& pair, const PairCall& call, const PairContacts& contacts, bool is_swapped,
-                          dgd::FaceHolder side, const PairOutcome& outcome) {
+                          dgd::ReferenceSide side, const PairOutcome& outcome) {
   const dgd::ContactPatch<double>& patch = contacts.patch;
   DGD_ASSERT(patch.size >= 0 && patch.size <= dgd::ContactPatch<double>::kMaxPoints);
   pair.had_contact = false;

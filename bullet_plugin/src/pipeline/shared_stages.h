@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "conditioning/contact_recycling.h"
-#include "dgd/held_face.h"
+#include "dgd/contact/reference_face.h"
 #include "dgd_bullet/linkage.h"
 #include "pipeline/pair_outcome.h"
 #include "pipeline/pair_patch.h"
@@ -36,7 +36,7 @@ inline std::optional<PairOutcome> TryRecycledContacts(PairState& pair, const Rec
 /// @param outcome     That of the stage that has found the contacts.
 /// @return it, or that there is no memory.
 PairOutcome WriteContacts(PairState& pair, const PairCall& call, const PairContacts& contacts, bool is_swapped,
-                          dgd::FaceHolder side, const PairOutcome& outcome);
+                          dgd::ReferenceSide side, const PairOutcome& outcome);
 
 /// Solves a pair by Bullet's own algorithm if that has a result, and else leaves the pair without contacts.
 /// @return the reason why no other stage has solved it, or that there is no memory.

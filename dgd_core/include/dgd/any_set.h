@@ -10,10 +10,10 @@
 #include <utility>
 #include <variant>
 
+#include "dgd/contact/facing_faces.h"
+#include "dgd/contact/reference_face.h"
 #include "dgd/convex_set.h"
 #include "dgd/export.h"
-#include "dgd/facing_faces.h"
-#include "dgd/held_face.h"
 #include "dgd/motion.h"
 #include "dgd/query_types.h"
 #include "dgd/shapes/box.h"
@@ -119,16 +119,17 @@ DGD_EXPORT SignedDistanceResult<double> SignedDistance(const AnySet& set_1, cons
                                                        const Settings<double>& settings = {},
                                                        WarmStart<double>* follow = nullptr);
 
-/// As FollowDistance() of signed_distance.h.
-DGD_EXPORT SignedDistanceResult<double> FollowDistance(const AnySet& set_1, const Pose<double>& pose_1,
+/// As UpdateDistance() of signed_distance.h.
+DGD_EXPORT SignedDistanceResult<double> UpdateDistance(const AnySet& set_1, const Pose<double>& pose_1,
                                                        const AnySet& set_2, const Pose<double>& pose_2,
                                                        const Settings<double>& settings, WarmStart<double>& state);
 
-/// As FollowFace() of held_face.h.
-DGD_EXPORT SignedDistanceResult<double> FollowFace(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
-                                                   const Pose<double>& pose_2, const Settings<double>& settings,
-                                                   double angular_tolerance, FaceHolder holder,
-                                                   WarmStart<double>& state, FacingFaces<double>& facing);
+/// As UpdateOnReferenceFace() of reference_face.h.
+DGD_EXPORT SignedDistanceResult<double> UpdateOnReferenceFace(const AnySet& set_1, const Pose<double>& pose_1,
+                                                              const AnySet& set_2, const Pose<double>& pose_2,
+                                                              const Settings<double>& settings,
+                                                              double angular_tolerance, ReferenceSide holder,
+                                                              WarmStart<double>& state, FacingFaces<double>& facing);
 
 /// As FindFacingFaces() of facing_faces.h.
 DGD_EXPORT void FindFacingFaces(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,

@@ -9,7 +9,7 @@
 #include <array>
 
 #include "dgd/assert.h"
-#include "dgd/facing_faces.h"
+#include "dgd/contact/facing_faces.h"
 #include "dgd/inlining.h"
 #include "dgd/query_types.h"
 #include "dgd/types.h"

@@ -27,7 +27,7 @@ struct ConvexHull {
 };
 
 /// Points nearer to a common plane (line, point) than this part of the set's extent make a flat hull: thinner sets are
-/// below what Qhull separates from rounding, with a decade to spare. Test: ConvexHull_NearlyFlat_*.
+/// below what Qhull separates from roundoff, with a decade to spare. Test: ConvexHull_NearlyFlat_*.
 inline constexpr double kFlatness = 1e-12;
 
 /// Coordinates reach no farther: fourth powers, as a centroid's moments are, stay finite. Metres.

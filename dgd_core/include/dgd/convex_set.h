@@ -1,8 +1,8 @@
 // What the solver asks of a convex set, and the set it works on: a core with a radius.
 //
 // A set is core + ball(radius). The core is any type that fulfils ConvexCore; the radius is kept apart from it because
-// a rounded polytope then still has finitely many features (see ray/inner_approximation.h), which it has not when the
-// ball goes into the support function.
+// a rounded polytope then still has finitely many features (see solver/inner_approximation.h), which it has not when
+// the ball goes into the support function.
 #pragma once
 
 #include <cmath>
@@ -34,7 +34,7 @@ using VectorOf = Vector<typename Core::Scalar, kDimension<Core>>;
 ///    point of the core.
 ///  * Center(): a point of the core, in its relative interior: the set is scaled about it. An Eigen vector, by value or
 ///    by reference, whose size says the dimension.
-///  * Inradius(): a lower bound, safe against rounding, on the radius of the ball about Center() inside the core;
+///  * Inradius(): a lower bound, safe against roundoff, on the radius of the ball about Center() inside the core;
 ///    0 for flat cores. Metres.
 template <class Core>
 concept ConvexCore = requires(const Core& core, const VectorOf<Core>& direction) {
@@ -132,7 +132,7 @@ SupportPoint<typename Core::Scalar, kDimension<Core>> GuessSupport(const Core& c
 ///  * IsLinked(): whether it knows.
 template <class Core>
 concept LinkedCore = VertexCore<Core> && requires(const Core& core, VertexId vertex, const VectorOf<Core>& direction) {
-  { core.SteepestAscent(vertex, direction, direction) } -> std::same_as<Ascent<typename Core::Scalar>>;
+  { core.SteepestAscent(vertex, direction, direction) } -> std::same_as<EdgeSlope<typename Core::Scalar>>;
   { core.IsLinked() } -> std::convertible_to<bool>;
 };
 
@@ -174,7 +174,7 @@ Eigen::DiagonalMatrix<S, L> SpreadOfExtents(const Vector<S, L>& half_extents) {
   return Eigen::DiagonalMatrix<S, L>(half_extents.cwiseProduct(half_extents));
 }
 
-/// A core whose support points are less exact than its scalar's rounding: evaluated in a smaller type, or iterated.
+/// A core whose support points are less exact than its scalar's roundoff: evaluated in a smaller type, or iterated.
 ///  * Accuracy(): their error, relative to the core's size.
 template <class Core>
 concept InexactCore = ConvexCore<Core> && requires(const Core& core) {

@@ -14,7 +14,7 @@
 
 namespace dgd {
 
-/// Set 1 against a half-space as set 2; parameters and result as for any two sets, exact up to rounding, one iteration.
+/// Set 1 against a half-space as set 2; parameters and result as for any two sets, exact up to roundoff, one iteration.
 /// Where set 1's centre lies in the half-space, the growth distance is 0, kOptimal. kNoInterior if set 1 has no extent
 /// across the border and its centre is above it: no scale makes them touch.
 template <class Set>

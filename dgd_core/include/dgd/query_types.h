@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "dgd/convex_set.h"
-#include "dgd/ray/tolerances.h"
+#include "dgd/solver/tolerances.h"
 #include "dgd/types.h"
 
 namespace dgd {
@@ -18,19 +18,19 @@ enum class Status : std::uint8_t {
   kSeparated,          ///< Stopped early: apart by more than asked for, along `normal`.
   kColliding,          ///< Collision check only: a common point is certain.
   kTouching,           ///< Collision check only: the bounds agree within the tolerance, and 1 lies between them.
-  kCoincidentCenters,  ///< The centres coincide within rounding: growth distance 0, and any normal is as good.
+  kCoincidentCenters,  ///< The centres coincide within roundoff: growth distance 0, and any normal is as good.
   kIterationLimit,     ///< The bounds are valid but apart by more than the tolerance.
-  kStalled,            ///< As kIterationLimit: rounding allows no further progress.
-  kNoInterior,         ///< Neither set has an interior, or one beyond the rounding of its points: no growth distance
+  kStalled,            ///< As kIterationLimit: roundoff allows no further progress.
+  kNoInterior,         ///< Neither set has an interior, or one beyond the roundoff of its points: no growth distance
                        ///< exists (paper, Rem. 1).
   kInvalidInput,  ///< NaN or infinity in a pose or radius, or from a core, or sizes of which the scalar cannot multiply
-                  ///< four (kLeastSize in ray/tolerances.h). No other field is usable.
+                  ///< four (kLeastSize in solver/tolerances.h). No other field is usable.
 };
 
 /// When a query ends, whichever comes first.
 template <class S>
 struct Settings {
-  /// Largest relative gap upper_bound / lower_bound - 1 of an optimal result; > 0. Polytopes reach rounding error
+  /// Largest relative gap upper_bound / lower_bound - 1 of an optimal result; > 0. Polytopes reach roundoff error
   /// whatever this is (paper, Sec. III-C4).
   S relative_tolerance = kSqrtEpsilon<S>;
   /// Most evaluations of the support functions; >= 1.

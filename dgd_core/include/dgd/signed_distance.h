@@ -9,8 +9,8 @@
 #include <type_traits>
 
 #include "dgd/assert.h"
-#include "dgd/distance/apart_search.h"
 #include "dgd/distance/signed_distance_search.h"
+#include "dgd/distance/warm_gjk.h"
 #include "dgd/inlining.h"
 #include "dgd/query_types.h"
 
@@ -40,9 +40,9 @@ struct SignedDistanceResult {
 };
 
 namespace signed_distance_internal {
-/// How FollowDistance() works.
+/// How UpdateDistance() works.
 template <class Set1, class Set2>
-using FollowSearch = std::conditional_t<MinkowskiDifference<Set1, Set2>::kIsPolytope, ApartSearch<Set1, Set2>,
+using UpdateSearch = std::conditional_t<MinkowskiDifference<Set1, Set2>::kIsPolytope, WarmGjk<Set1, Set2>,
                                         SignedDistanceSearch<Set1, Set2>>;
 
 template <class Search>
@@ -64,9 +64,9 @@ bool IsFinite(const SignedDistanceResult<S>& result) {
 /// The signed distance of two sets in space, flat ones too.
 /// @param growth      Of GrowthDistance() for these sets and poses, whatever its status: the start.
 /// @param warm_start  Of the same call, or nullptr; its basis saves evaluations.
-/// @param settings    relative_tolerance is of the sets' size, for curved cores: polytopes end at rounding error.
+/// @param settings    relative_tolerance is of the sets' size, for curved cores: polytopes end at roundoff error.
 ///                    max_iterations bounds the evaluations.
-/// @param follow      Out: where FollowDistance() can go on from, if the result is optimal and the cores are apart.
+/// @param follow      Out: where UpdateDistance() can go on from, if the result is optimal and the cores are apart.
 /// Allocates nothing and does not throw. Method: distance/signed_distance_search.h.
 template <class Set1, class Set2>
 SignedDistanceResult<typename Set1::Scalar> SignedDistance(const Set1& set_1, const PoseOf<Set1>& pose_1,
@@ -82,7 +82,7 @@ SignedDistanceResult<typename Set1::Scalar> SignedDistance(const Set1& set_1, co
   if (result.status == Status::kInvalidInput) return result;
   signed_distance_internal::Report(search, result);
   if (!signed_distance_internal::IsFinite(result)) {
-    result.status = Status::kInvalidInput;  // A support function gave no number.
+    result.status = Status::kInvalidInput;  // A support function gave a value that is not finite.
     return result;
   }
   if (follow != nullptr) search.Remember(result.status, *follow);
@@ -97,11 +97,11 @@ SignedDistanceResult<typename Set1::Scalar> SignedDistance(const Set1& set_1, co
 /// @return kOptimal, certain as SignedDistance()'s; kSeparated, with the normal and the separation along it. All other
 ///         statuses mean failure, and no other field is usable: the cores may overlap, ask for the growth distance.
 template <class Set1, class Set2>
-DGD_FLATTEN SignedDistanceResult<typename Set1::Scalar> FollowDistance(const Set1& set_1, const PoseOf<Set1>& pose_1,
+DGD_FLATTEN SignedDistanceResult<typename Set1::Scalar> UpdateDistance(const Set1& set_1, const PoseOf<Set1>& pose_1,
                                                                        const Set2& set_2, const PoseOf<Set1>& pose_2,
                                                                        const Settings<typename Set1::Scalar>& settings,
                                                                        WarmStartOf<Set1>& state) {
-  signed_distance_internal::FollowSearch<Set1, Set2> search(set_1, pose_1, set_2, pose_2, settings);
+  signed_distance_internal::UpdateSearch<Set1, Set2> search(set_1, pose_1, set_2, pose_2, settings);
   SignedDistanceResult<typename Set1::Scalar> result;
   result.status = search.SolveApart(state);
   result.iterations = search.Iterations();

@@ -17,7 +17,7 @@ namespace dgd {
 /// When a sweep ends.
 template <class S>
 struct SweepSettings {
-  /// Sets nearer than this touch; metres, > 0. The default is some hundred times what rounding leaves of coordinates of
+  /// Sets nearer than this touch; metres, > 0. The default is some hundred times what roundoff leaves of coordinates of
   /// a few metres; with larger ones, it must be raised.
   S tolerance = sizeof(S) == 8 ? S(1e-10) : S(1e-5);
   int max_planes = 100;  ///< Most planes to try; >= 1.
@@ -44,12 +44,12 @@ struct TimeOfImpactResult {
 };
 
 /// Relative tolerance of a growth distance that is asked for its plane alone, which is the sets' own at impact: what
-/// rounding lets be proven.
+/// roundoff lets be proven.
 template <class S>
 inline constexpr S kPlaneTolerance = 1024 * kEpsilon<S>;
 
 /// Whether such a growth distance brings no plane between the sets and does not show that they overlap either: they
-/// have no interior, or rounding keeps the bounds apart. The signed distance tells then.
+/// have no interior, or roundoff keeps the bounds apart. The signed distance tells then.
 template <class S>
 bool IsUndecided(const Result<S>& growth) {
   return growth.status != Status::kInvalidInput && !(growth.separation > 0 || growth.upper_bound <= 1);

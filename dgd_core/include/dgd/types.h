@@ -55,7 +55,7 @@ struct SupportPoint {
 
 /// A way from a vertex to one next to it.
 template <class Scalar>
-struct Ascent {
+struct EdgeSlope {
   VertexId vertex;  ///< Where it leads.
   Scalar slope;  ///< Its rise by its way outwards, as their directions are long; minus infinity if none leads outwards.
 };

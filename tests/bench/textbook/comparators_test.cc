@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "dgd/ray/tolerances.h"
+#include "dgd/solver/tolerances.h"
 #include "support/random.h"
 
 namespace dgd_bench {

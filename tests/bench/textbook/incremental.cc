@@ -7,7 +7,7 @@
 
 #include "bench/textbook/ray_side.h"
 #include "dgd/query_types.h"
-#include "dgd/ray/minkowski_difference.h"
+#include "dgd/solver/minkowski_difference.h"
 
 namespace dgd_bench {
 namespace {

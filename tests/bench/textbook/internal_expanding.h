@@ -15,7 +15,7 @@
 
 #include "bench/textbook/support_function.h"
 #include "dgd/query_types.h"
-#include "dgd/ray/tolerances.h"
+#include "dgd/solver/tolerances.h"
 
 namespace dgd_bench {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "dgd/ray/minkowski_difference.h"
+#include "dgd/solver/minkowski_difference.h"
 
 namespace dgd_bench {
 

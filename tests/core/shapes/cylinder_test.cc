@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "dgd/ray/tolerances.h"
+#include "dgd/solver/tolerances.h"
 #include "support/shape_contract.h"
 
 namespace dgd_test {

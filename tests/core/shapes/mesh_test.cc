@@ -8,9 +8,9 @@
 #include <numbers>
 #include <span>
 
-#include "dgd/ray/tolerances.h"
 #include "dgd/shapes/box.h"
 #include "dgd/shapes/transformed.h"
+#include "dgd/solver/tolerances.h"
 #include "support/random_sets.h"
 #include "support/shape_contract.h"
 
@@ -188,7 +188,7 @@ TEST(Mesh, SteepestAscent_LeadsToTheFacetBeside) {
       Vector3d outwards = side.cross(up);
       if (outwards.dot(mesh.Vertex(corners[(i + 2) % corners.size()]) - begin) > 0) outwards = -outwards;
 
-      const dgd::Ascent<double> ascent = reference.SteepestAscent(from, up, outwards);
+      const dgd::EdgeSlope<double> ascent = reference.SteepestAscent(from, up, outwards);
       ASSERT_LT(ascent.vertex, mesh.VertexCount());
       EXPECT_LT(ascent.slope, 1e-9);
       EXPECT_EQ(std::count(corners.begin(), corners.end(), ascent.vertex), 0);

@@ -36,7 +36,7 @@ dgd::Result<S, L> AnyPair<S, L>::GrowthDistance(const dgd::Settings<S>& settings
   return std::visit(
       [&]<class Set1, class Set2>(const Set1& a, const Set2& b) {
         // An observed query is another one, and these alone differ; the others need not be compiled twice.
-        if constexpr (dgd::kHasFacetWalk<Set1, Set2>) {
+        if constexpr (dgd::kHasPortalRefinement<Set1, Set2>) {
           if (!observer) return dgd::GrowthDistance(a, pose_1_, b, pose_2_, settings, warm_start);
         }
         return dgd::GrowthDistance(a, pose_1_, b, pose_2_, settings, warm_start, tell);
@@ -69,11 +69,11 @@ dgd::SignedDistanceResult<S> AnyPair<S, L>::SignedDistance(const dgd::Result<S>&
 }
 
 template <class S, int L>
-dgd::SignedDistanceResult<S> AnyPair<S, L>::FollowDistance(const dgd::Settings<S>& settings,
+dgd::SignedDistanceResult<S> AnyPair<S, L>::UpdateDistance(const dgd::Settings<S>& settings,
                                                            dgd::WarmStart<S>& state) const requires(L == 3) {
   if constexpr (L == 3) {  // As above.
     return std::visit(
-        [&](const auto& a, const auto& b) { return dgd::FollowDistance(a, pose_1_, b, pose_2_, settings, state); },
+        [&](const auto& a, const auto& b) { return dgd::UpdateDistance(a, pose_1_, b, pose_2_, settings, state); },
         set_1_, set_2_);
   } else {
     return {};

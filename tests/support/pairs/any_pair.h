@@ -43,7 +43,7 @@ class AnyPair {
                                               const dgd::WarmStart<S>* warm_start = nullptr,
                                               const dgd::Settings<S>& settings = {},
                                               dgd::WarmStart<S>* follow = nullptr) const requires(L == 3);
-  dgd::SignedDistanceResult<S> FollowDistance(const dgd::Settings<S>& settings, dgd::WarmStart<S>& state) const
+  dgd::SignedDistanceResult<S> UpdateDistance(const dgd::Settings<S>& settings, dgd::WarmStart<S>& state) const
       requires(L == 3);
   /// The motions' starts are the poses, whatever MoveTo() said.
   dgd::TimeOfImpactResult<S> TimeOfImpact(const dgd::Motion<S>& motion_1, const dgd::Motion<S>& motion_2,

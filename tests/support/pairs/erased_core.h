@@ -25,7 +25,7 @@ class CoreQuestions {
   virtual dgd::SupportPoint<S, L> Support(const Point& direction, dgd::FeatureId hint) const = 0;
   virtual dgd::SupportPoint<S, L> GuessSupport(const Point& direction) const = 0;
   virtual bool IsGuessing() const = 0;
-  virtual dgd::Ascent<S> SteepestAscent(dgd::VertexId vertex, const Point& up, const Point& outwards) const = 0;
+  virtual dgd::EdgeSlope<S> SteepestAscent(dgd::VertexId vertex, const Point& up, const Point& outwards) const = 0;
   virtual bool IsLinked() const = 0;
   virtual Point Center() const = 0;
   virtual S Inradius() const = 0;
@@ -59,8 +59,8 @@ class CoreAnswers final : public CoreQuestions<typename Core::Scalar, dgd::kDime
     return dgd::GuessSupport(core_, direction);
   }
   bool IsGuessing() const override { return dgd::IsGuessing(core_); }
-  dgd::Ascent<S> SteepestAscent([[maybe_unused]] dgd::VertexId vertex, [[maybe_unused]] const Point& up,
-                                [[maybe_unused]] const Point& outwards) const override {
+  dgd::EdgeSlope<S> SteepestAscent([[maybe_unused]] dgd::VertexId vertex, [[maybe_unused]] const Point& up,
+                                   [[maybe_unused]] const Point& outwards) const override {
     if constexpr (dgd::LinkedCore<Core>) {
       return core_.SteepestAscent(vertex, up, outwards);
     } else {
@@ -143,8 +143,8 @@ class ErasedVertexCore : public ErasedCore<S, L> {
     return this->Core().GuessSupport(direction);
   }
   bool IsGuessing() const { return this->Core().IsGuessing(); }
-  dgd::Ascent<S> SteepestAscent(dgd::VertexId vertex, const dgd::Vector<S, L>& up,
-                                const dgd::Vector<S, L>& outwards) const {
+  dgd::EdgeSlope<S> SteepestAscent(dgd::VertexId vertex, const dgd::Vector<S, L>& up,
+                                   const dgd::Vector<S, L>& outwards) const {
     return this->Core().SteepestAscent(vertex, up, outwards);
   }
   bool IsLinked() const { return this->Core().IsLinked(); }

@@ -1,7 +1,8 @@
 // How SignedDistance() works: it looks for the point of the Minkowski difference's border that is nearest to the origin
 // of the two positions, between the supporting planes that were met and an inner approximation.
 //
-//  * Rounding. C = K + ball(R), K the difference of the cores: the signed distance of C is that of K less R, along the
+//  * Convex radius. C = K + ball(R), K the difference of the cores: the signed distance of C is that of K less R, along
+//  the
 //    same normal. So all is done on K, and polytopes with margins end exactly.
 //  * Start. The normal of the growth distance, and the basis of its inner approximation: for polytopes in contact face
 //    on face they are the answer already, and no support function is evaluated.
@@ -12,11 +13,11 @@
 //    depth from below, supporting planes from above; the best of these, from the growth distance on, says which faces
 //    need no look.
 //  * Frames. While cores stay apart, the last normal is where the next search starts: no growth distance is needed in
-//    between. Of polytopes, the last nearest simplex is (apart_search.h).
+//    between. Of polytopes, the last nearest simplex is (warm_gjk.h).
 //  * Curves. The inner approximation of a curved set alone converges linearly. So there are Newton's steps in between,
-//    as long as they gain: on all pieces that the simplex is on (kink_step.h), or on the one that a plane met
+//    as long as they gain: on all pieces that the simplex is on (newton_kink_step.h), or on the one that a plane met
 //    (normal_step.h). A deep overlap may ask for more points than the expanding polytope has room for: then it is begun
-//    anew, at a smaller scale.
+//    from scratch, at a smaller scale.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -28,14 +29,14 @@
 #include <utility>
 
 #include "dgd/assert.h"
-#include "dgd/distance/expanding_polytope.h"
-#include "dgd/distance/kink_step.h"
-#include "dgd/distance/nearest_simplex.h"
-#include "dgd/distance/normal_step.h"
+#include "dgd/distance/epa.h"
+#include "dgd/distance/gjk_simplex.h"
+#include "dgd/distance/newton_kink_step.h"
+#include "dgd/distance/newton_step.h"
 #include "dgd/inlining.h"
 #include "dgd/query_types.h"
-#include "dgd/ray/minkowski_difference.h"
-#include "dgd/ray/tolerances.h"
+#include "dgd/solver/minkowski_difference.h"
+#include "dgd/solver/tolerances.h"
 
 namespace dgd {
 
@@ -50,7 +51,7 @@ class SignedDistanceSearch {
 
   SignedDistanceSearch(const Set1& set_1, const Pose<S>& pose_1, const Set2& set_2, const Pose<S>& pose_2,
                        const Settings<S>& settings)
-      : difference_(set_1, pose_1, set_2, pose_2), origin_(0, 0, difference_.Length()), settings_(settings) {}
+      : difference_(set_1, pose_1, set_2, pose_2), origin_(0, 0, difference_.CenterDistance()), settings_(settings) {}
 
   /// @param growth      What is known: a normal and the separation along it. Without a status that says so, only a
   ///                    direction.
@@ -64,13 +65,13 @@ class SignedDistanceSearch {
       simplex_.Add(Cut(normal));
     } else {
       best_.normal = normal;
-      best_.height = -growth.separation - difference_.Rounding();
+      best_.height = -growth.separation - difference_.ConvexRadius();
     }
-    return Approach();
+    return RunGjk();
   }
 
   /// For sets whose cores are apart, from where the last search ended, or from the line of the centres. Polytopes have
-  /// a search of their own for this: apart_search.h.
+  /// a search of their own for this: warm_gjk.h.
   /// @return kOptimal or kSeparated; anything else if they are not apart.
   Status SolveApart(const WarmStart<S>& last) requires(!Difference::kIsPolytope) {
     if (!difference_.IsValid()) return Status::kInvalidInput;
@@ -78,7 +79,7 @@ class SignedDistanceSearch {
     const bool is_known = last.normal_1.squaredNorm() > S(0.5);  // Else it is zero.
     simplex_.Add(Cut(is_known ? difference_.DirectionToFrame(last.normal_1).normalized() : Point(Point::UnitZ())));
     if (Separation() > settings_.separation_limit) return Status::kSeparated;
-    return Approach();
+    return RunGjk();
   }
 
   /// Leaves the simplex, and the normal, for SolveApart().
@@ -90,8 +91,8 @@ class SignedDistanceSearch {
 
   int Iterations() const { return iterations_; }
   Point Normal() const { return difference_.DirectionToWorld(best_.normal); }
-  S Separation() const { return -best_.height - difference_.Rounding(); }
-  S UpperBound() const { return std::max(nearest_ + Noise(), -best_.height) - difference_.Rounding(); }
+  S Separation() const { return -best_.height - difference_.ConvexRadius(); }
+  S UpperBound() const { return std::max(nearest_ + SupportError(), -best_.height) - difference_.ConvexRadius(); }
   Point Witness1() const { return difference_.World1(foot_.on_1, best_.normal); }
   Point Witness2() const { return difference_.World2(foot_.on_1 - foot_.point - origin_, best_.normal); }
 
@@ -114,30 +115,32 @@ class SignedDistanceSearch {
       std::size_t size = 0;
       for (std::size_t i = 0; i < static_cast<std::size_t>(warm_start.size); ++i) {
         if (!difference_.HasFeatures(warm_start.features_1[i], warm_start.features_2[i])) continue;
-        basis[size++] = Shifted(difference_.FromVertices(warm_start.features_1[i], warm_start.features_2[i]));
+        basis[size++] = ToDistanceOrigin(difference_.FromVertices(warm_start.features_1[i], warm_start.features_2[i]));
       }
       simplex_ = {basis, size};
     }
   }
 
   /// A point of K about the origin of the two positions, instead of the centres.
-  Feature Shifted(Feature point) {
+  Feature ToDistanceOrigin(Feature point) {
     size_ = std::max(size_, point.point.cwiseAbs().maxCoeff());
     point.point -= origin_;
     return point;
   }
 
   /// How far points of K may be off, or what is left of them beside R, metres.
-  S Rounding() const { return kUnits * kEpsilon<S> * std::max({size_, difference_.Length(), difference_.Rounding()}); }
+  S RoundoffBound() const {
+    return kUnits * kEpsilon<S> * std::max({size_, difference_.CenterDistance(), difference_.ConvexRadius()});
+  }
   /// ... where the same vertex met twice may not be the same point.
-  S Noise() const { return std::max(Rounding(), difference_.Accuracy() * size_); }
-  /// Of an optimal result; polytopes end at rounding.
+  S SupportError() const { return std::max(RoundoffBound(), difference_.Accuracy() * size_); }
+  /// Of an optimal result; polytopes end at roundoff.
   S Tolerance() const {
-    return Difference::kIsPolytope ? Rounding() : std::max(Rounding(), settings_.relative_tolerance * size_);
+    return Difference::kIsPolytope ? RoundoffBound() : std::max(RoundoffBound(), settings_.relative_tolerance * size_);
   }
   bool IsOptimal() const { return nearest_ + best_.height <= Tolerance(); }
   /// Apart, the points are off by the root of the gap: for their sake more is asked for than the tolerance.
-  bool HasGoodPoints() const { return nearest_ + best_.height <= std::max(Rounding(), kForPoints * Tolerance()); }
+  bool HasGoodPoints() const { return nearest_ + best_.height <= std::max(RoundoffBound(), kForPoints * Tolerance()); }
   /// With the origin inside K: whether no normal elsewhere is much better.
   bool IsBestElsewhere() const { return best_.height + nearest_ <= kElsewhere * best_.height; }
   bool IsExhausted() const { return iterations_ >= settings_.max_iterations; }
@@ -147,7 +150,7 @@ class SignedDistanceSearch {
     DGD_ASSERT(IsUnitOrNan(normal));
     ++iterations_;
     const Feature support =
-        Shifted(difference_.Support(normal, normal, best_.support.feature_1, best_.support.feature_2));
+        ToDistanceOrigin(difference_.Support(normal, normal, best_.support.feature_1, best_.support.feature_2));
     const S height = normal.dot(support.point);
     if (height < best_.height) {
       best_ = {normal, height, support, true};
@@ -199,7 +202,7 @@ class SignedDistanceSearch {
       while (same < size && !IsSamePiece(pieces.points[same], corner)) ++same;
       if (same == size) {
         const auto piece = difference_.AlongTangents(corner.feature_1, corner.feature_2, normal, tangents);
-        pieces.points[same] = Shifted(piece.support);
+        pieces.points[same] = ToDistanceOrigin(piece.support);
         pieces.models[size++] = {pieces.points[same].point, piece.derivative, 0};
       }
       pieces.models[same].weight += simplex_.Weight(i);
@@ -213,9 +216,9 @@ class SignedDistanceSearch {
     std::array<Feature, 3> moved;
     for (std::size_t i = 0; i < pieces.models.size; ++i) {
       const Feature& from = pieces.points[i];
-      moved[i] = Shifted(difference_.AlongTangents(from.feature_1, from.feature_2, normal, tangents).support);
+      moved[i] = ToDistanceOrigin(difference_.AlongTangents(from.feature_1, from.feature_2, normal, tangents).support);
     }
-    const NearestSimplex<S> simplex(moved, pieces.models.size);
+    const GjkSimplex<S> simplex(moved, pieces.models.size);
     if (simplex.Nearest().squaredNorm() < simplex_.Nearest().squaredNorm()) simplex_ = simplex;
     nearest_ = simplex_.Nearest().norm();
   }
@@ -233,7 +236,7 @@ class SignedDistanceSearch {
         const auto piece =
             difference_.AlongTangents(best_.support.feature_1, best_.support.feature_2, best_.normal, tangents);
         const NormalStep<S> step = StepFrom<S>(best_.normal, best_.support.point, tangents, piece.derivative);
-        is_stationary_ = step.is_valid && step.gain <= Rounding();
+        is_stationary_ = step.is_valid && step.gain <= RoundoffBound();
         if (step.is_valid && !is_stationary_) return step.next;
       }
     }
@@ -241,10 +244,10 @@ class SignedDistanceSearch {
   }
 
   /// With the origin outside of K, or so it seems.
-  Status Approach() {
+  Status RunGjk() {
     for (;;) {
       nearest_ = simplex_.Nearest().norm();
-      if (nearest_ <= Rounding()) return is_apart_ ? Status::kStalled : Touch();
+      if (nearest_ <= RoundoffBound()) return is_apart_ ? Status::kStalled : HandleBoundaryOrigin();
       if (HasGoodPoints()) return Finish(Status::kOptimal, simplex_.Combination());
       if (IsExhausted()) return Finish(Status::kIterationLimit, simplex_.Combination());
       const Point normal = NextNormalApart();
@@ -253,9 +256,9 @@ class SignedDistanceSearch {
       if (is_apart_ && Separation() > settings_.separation_limit) return Status::kSeparated;
       if (simplex_.HoldsOriginWith(support.point)) {
         if (is_apart_) return Status::kStalled;
-        return Expand({simplex_[0], simplex_[1], simplex_[2], support});
+        return RunEpa({simplex_[0], simplex_[1], simplex_[2], support});
       }
-      NearestSimplex<S> grown = simplex_;
+      GjkSimplex<S> grown = simplex_;
       grown.Add(support);
       if (descent_.Continues(simplex_.Nearest().squaredNorm(), grown.Nearest().squaredNorm())) {
         simplex_ = grown;
@@ -265,8 +268,8 @@ class SignedDistanceSearch {
     }
   }
 
-  /// The origin is on a feature of K, within rounding: on its border, where the signed distance is 0, or inside.
-  DGD_NOINLINE Status Touch() {
+  /// The origin is on a feature of K, within roundoff: on its border, where the signed distance is 0, or inside.
+  DGD_NOINLINE Status HandleBoundaryOrigin() {
     std::array<Feature, 4> corners;
     std::size_t size = simplex_.Size();
     for (std::size_t i = 0; i < size; ++i) corners[i] = simplex_[i];
@@ -277,14 +280,14 @@ class SignedDistanceSearch {
       }
       ++size;
     }
-    return Expand(corners);
+    return RunEpa(corners);
   }
 
   /// Finds a point of K off the affine hull of the first `size` corners, in one of the directions across that.
   bool FindCorner(std::array<Feature, 4>& corners, std::size_t size) {
     DGD_ASSERT(size >= 1 && size < 4);
     const Point& a = corners[0].point;
-    // Squares of a tiny K's lengths may be no numbers.
+    // Squares of a tiny K's lengths may not be finite.
     const auto towards = [&](std::size_t i) -> Point { return (corners[i].point - a).stableNormalized(); };
     Matrix3<S> axes;
     int first = 0, last = 2;  // Of the columns that are across.
@@ -301,16 +304,16 @@ class SignedDistanceSearch {
       for (const S sign : {S(1), S(-1)}) {
         const Point normal = sign * axes.col(i);
         corners[size] = Cut(normal);
-        if (normal.dot(corners[size].point - a) > kFlat * Rounding()) return true;
+        if (normal.dot(corners[size].point - a) > kFlat * RoundoffBound()) return true;
       }
     }
     return false;
   }
 
   /// With the origin inside K.
-  DGD_NOINLINE Status Expand(const std::array<Feature, 4>& corners) {
+  DGD_NOINLINE Status RunEpa(const std::array<Feature, 4>& corners) {
     nearest_ = std::numeric_limits<S>::infinity();
-    ExpandingPolytope<S> polytope(corners, Noise(), size_);
+    EpaPolytope<S> polytope(corners, SupportError(), size_);
     const auto finish = [&](Status status) { return Finish(status, polytope.NearestTo(best_.height * best_.normal)); };
     for (;;) {
       const auto& face = polytope.Nearest();
@@ -339,7 +342,7 @@ class SignedDistanceSearch {
     // By which a border that curves as a ball of K's size recedes by the gap, and some more.
     S tilt = std::min(kWidest, 2 * std::sqrt((nearest_ + best_.height) / size_));
     for (int round = 0; round < kMaxRounds; ++round) {
-      switch (ExpandNearby(tilt, of_inner)) {
+      switch (RunEpaNearby(tilt, of_inner)) {
         case Nearby::kClosed:
           return Finish(IsBestElsewhere() ? Status::kOptimal : Status::kStalled, of_inner);
         case Nearby::kExhausted:
@@ -357,13 +360,13 @@ class SignedDistanceSearch {
   enum class Nearby {
     kClosed,     ///< No normal nearby is better.
     kFull,       ///< Once more, nearer.
-    kTooNarrow,  ///< Rounding tells the points no longer apart, or the best normal is beyond them.
+    kTooNarrow,  ///< Roundoff tells the points no longer apart, or the best normal is beyond them.
     kExhausted,  ///< Of evaluations.
   };
 
   /// An expanding polytope about the best plane: a triangle of K there, whose normals are `tilt` radians aside, and the
   /// point of K that is farthest behind it. Faces that look elsewhere are none of K's, and of no account.
-  DGD_NOINLINE Nearby ExpandNearby(S tilt, Feature& of_inner) {
+  DGD_NOINLINE Nearby RunEpaNearby(S tilt, Feature& of_inner) {
     // Cosine to the best plane's normal: the triangle's faces look at most kWidest aside, those to the point behind it
     // about at right angles.
     constexpr S kAside = S(0.7);
@@ -376,7 +379,7 @@ class SignedDistanceSearch {
       corners[static_cast<std::size_t>(i)] = Cut((middle + tilt * aside).normalized());
     }
     corners[3] = Cut(-middle);
-    ExpandingPolytope<S> polytope(corners, Noise(), size_);
+    EpaPolytope<S> polytope(corners, SupportError(), size_);
     for (;;) {
       if (IsExhausted()) return Nearby::kExhausted;
       const auto face = polytope.NearestAlong(middle, kAside);
@@ -408,11 +411,11 @@ class SignedDistanceSearch {
     return IsOptimal() ? Status::kOptimal : status;
   }
 
-  /// The rounding of a point of K, in last digits of its largest coordinate.
+  /// The roundoff of a point of K, in last digits of its largest coordinate.
   static constexpr S kUnits = 8;
   /// What is asked for beyond the tolerance: two digits of the points.
   static constexpr S kForPoints = S(1e-4);
-  /// A tetrahedron as flat as so many roundings has faces that know where they look.
+  /// A tetrahedron as flat as so many units of roundoff has faces that know where they look.
   static constexpr S kFlat = 1024;
   /// Of a triangle about the best plane: about 30 degrees.
   static constexpr S kWidest = S(0.5);
@@ -423,7 +426,7 @@ class SignedDistanceSearch {
   const Point origin_;
   S size_ = 0;  // Largest coordinate of a point of K about the centres, metres.
   const Settings<S>& settings_;
-  NearestSimplex<S> simplex_;
+  GjkSimplex<S> simplex_;
   Plane best_;
   S nearest_ = std::numeric_limits<S>::infinity();  // Signed distance of K's inner approximation, metres.
   Feature foot_;                                    // The witness points' difference, without radii.

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "dgd/assert.h"
+#include "dgd/contact/supporting_face.h"
 #include "dgd/convex_set.h"
-#include "dgd/supporting_face.h"
 
 namespace dgd {
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "dgd/contact/supporting_face.h"
 #include "dgd/convex_set.h"
 #include "dgd/shapes/disc.h"
-#include "dgd/supporting_face.h"
 
 namespace dgd {
 

@@ -1,8 +1,8 @@
 // A core behind a function pointer: for shapes that only their owner can evaluate, and for whatever meets them.
 #pragma once
 
+#include "dgd/contact/supporting_face.h"
 #include "dgd/convex_set.h"
-#include "dgd/supporting_face.h"
 #include "dgd/types.h"
 
 namespace dgd {

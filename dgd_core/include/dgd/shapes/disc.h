@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "dgd/supporting_face.h"
+#include "dgd/contact/supporting_face.h"
 #include "dgd/types.h"
 
 namespace dgd {

@@ -9,11 +9,11 @@
 #include <span>
 #include <vector>
 
+#include "dgd/contact/supporting_face.h"
 #include "dgd/convex_hull.h"
 #include "dgd/convex_set.h"
 #include "dgd/export.h"
 #include "dgd/shapes/hull_queries.h"
-#include "dgd/supporting_face.h"
 
 namespace dgd {
 
@@ -78,7 +78,7 @@ class Dsf {
   S SupportValue(const Vector3<S>& direction) const {
     return static_cast<S>(in_double_.SupportValue(direction.template cast<double>()));
   }
-  /// Distance of `point` to the core, metres; 0 inside. By iteration; never too large but for rounding.
+  /// Distance of `point` to the core, metres; 0 inside. By iteration; never too large but for roundoff.
   S Distance(const Vector3<S>& point) const {
     return static_cast<S>(in_double_.Distance(point.template cast<double>()));
   }

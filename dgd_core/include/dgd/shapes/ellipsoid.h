@@ -6,10 +6,10 @@
 #include <limits>
 
 #include "dgd/assert.h"
+#include "dgd/contact/supporting_face.h"
 #include "dgd/convex_set.h"
 #include "dgd/inlining.h"
-#include "dgd/ray/tolerances.h"
-#include "dgd/supporting_face.h"
+#include "dgd/solver/tolerances.h"
 
 namespace dgd {
 
@@ -61,7 +61,8 @@ class Ellipsoid {
   /// Largest <direction, x> over the core.
   S SupportValue(const Vector<S, L>& direction) const { return OnBall(direction).length; }
 
-  /// Distance of `point` to the core, metres; 0 inside. Right to some roundings of the distance or the largest axis.
+  /// Distance of `point` to the core, metres; 0 inside. Right to some units of roundoff of the distance or the largest
+  /// axis.
   S Distance(const Vector<S, L>& point) const;
 
   /// The support point: no face is flat.
@@ -132,7 +133,7 @@ S Ellipsoid<S, L>::Distance(const Vector<S, L>& point) const {
       moment_sq += axes[i] * x[i] * axes[i] * x[i];
     }
     double high = std::sqrt(moment_sq);
-    // Newton's steps from the left never pass the zero but for rounding; bisection where they creep. Ends when no
+    // Newton's steps from the left never pass the zero but for roundoff; bisection where they creep. Ends when no
     // number is left between the bounds.
     for (int i = 0; i < 200 && low < high; ++i) {
       const double value = excess(low);
@@ -151,7 +152,7 @@ S Ellipsoid<S, L>::Distance(const Vector<S, L>& point) const {
   Vector<double, L> way;
   for (int i = 0; i < L; ++i) {
     const double denominator = low + axes[i] * axes[i];
-    way[i] = denominator > 0 ? low / denominator * x[i] : x[i];  // Of tiny axes, x / denominator may be no number.
+    way[i] = denominator > 0 ? low / denominator * x[i] : x[i];  // Of tiny axes, x / denominator may not be finite.
   }
   return static_cast<S>(unit * way.norm());
 }

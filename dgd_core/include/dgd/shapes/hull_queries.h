@@ -6,9 +6,9 @@
 #include <span>
 
 #include "dgd/assert.h"
+#include "dgd/contact/supporting_face.h"
 #include "dgd/convex_hull.h"
 #include "dgd/shapes/triangle.h"
-#include "dgd/supporting_face.h"
 
 namespace dgd {
 
@@ -22,7 +22,7 @@ inline double LargestCoordinate(const ConvexHull& hull) {
 /// Radius of the ball about the centre that is inside also when the vertices are rounded to S; metres.
 template <class S>
 S InradiusOfRounded(const ConvexHull& hull) {
-  // Rounding of the vertices moves a facet by at most their rounding error.
+  // Roundoff of the vertices moves a facet by at most their roundoff error.
   constexpr double kVertexRounding = 2 * std::numeric_limits<S>::epsilon();
   return static_cast<S>(std::max(0.0, hull.inradius - kVertexRounding * LargestCoordinate(hull)));
 }
@@ -53,7 +53,7 @@ inline double DistanceTo(const ConvexHull& hull, const Eigen::Vector3d& point) {
     return (ClosestPointOnTriangle<double>(point, hull.vertices.front(), end, end) - point).norm();
   }
   // Outside at least one facet's plane; the nearest point then lies on one of those facets. Flat hulls have none
-  // inside. A point of the border is outside of some planes by rounding alone, and may be on a facet that is in the
+  // inside. A point of the border is outside of some planes by roundoff alone, and may be on a facet that is in the
   // same plane but for that: so facets count as well whose planes hold the point nearly.
   constexpr double kNearly = 1e-6;
   const double slack =

@@ -71,9 +71,9 @@ class OneOf {
   bool IsGuessing() const requires(GuessingCore<Cores> || ...) {
     return Visit([](const auto& core) { return dgd::IsGuessing(core); });
   }
-  Ascent<Scalar> SteepestAscent(VertexId vertex, const Point& up, const Point& outwards) const
+  EdgeSlope<Scalar> SteepestAscent(VertexId vertex, const Point& up, const Point& outwards) const
       requires(LinkedCore<Cores> || ...) {
-    return Visit([&]<class Core>(const Core& core) -> Ascent<Scalar> {
+    return Visit([&]<class Core>(const Core& core) -> EdgeSlope<Scalar> {
       if constexpr (LinkedCore<Core>) return core.SteepestAscent(vertex, up, outwards);
       return {vertex, -std::numeric_limits<Scalar>::infinity()};
     });

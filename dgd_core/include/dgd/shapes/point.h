@@ -1,8 +1,8 @@
 // A point; with a radius, a sphere or a circle.
 #pragma once
 
+#include "dgd/contact/supporting_face.h"
 #include "dgd/convex_set.h"
-#include "dgd/supporting_face.h"
 
 namespace dgd {
 

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "dgd/assert.h"
+#include "dgd/contact/supporting_face.h"
 #include "dgd/convex_hull.h"
 #include "dgd/convex_set.h"
 #include "dgd/point_facet.h"
 #include "dgd/shapes/hull_queries.h"
 #include "dgd/shapes/vertex_climb.h"
 #include "dgd/shapes/vertex_scan.h"
-#include "dgd/supporting_face.h"
 
 namespace dgd {
 
@@ -51,7 +51,7 @@ class Polytope {
   /// See ScannedCore.
   const PointArrays<S>* Scan() const { return climb_.IsEmpty() ? &scan_ : nullptr; }
   /// See LinkedCore. @pre IsLinked().
-  Ascent<S> SteepestAscent(VertexId vertex, const Vector3<S>& up, const Vector3<S>& outwards) const {
+  EdgeSlope<S> SteepestAscent(VertexId vertex, const Vector3<S>& up, const Vector3<S>& outwards) const {
     return climb_.SteepestAscent(vertex, up, outwards);
   }
   bool IsLinked() const { return !climb_.IsEmpty(); }

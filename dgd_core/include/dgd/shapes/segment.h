@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dgd/contact/supporting_face.h"
 #include "dgd/convex_set.h"
-#include "dgd/supporting_face.h"
 
 namespace dgd {
 

@@ -22,8 +22,8 @@ class SupportDistance {
   /// Both outlive this; x in the core's frame, metres.
   SupportDistance(const Core& core, const Vector<double, L>& x) : core_(core), x_(x) {}
 
-  /// Metres; 0 inside. Never too large but for rounding. Right to some roundings of the extent, but where the point is
-  /// nearer than about 1e-8 of it to a sharp curved edge: there it may be too small by 1e-11 of it.
+  /// Metres; 0 inside. Never too large but for roundoff. Right to some units of roundoff of the extent, but where the
+  /// point is nearer than about 1e-8 of it to a sharp curved edge: there it may be too small by 1e-11 of it.
   double Find() {
     ApproachBySimplices();
     if constexpr (SmoothCore<Core>) PolishDirection();

@@ -8,10 +8,10 @@
 #include <string>
 #include <utility>
 
+#include "dgd/contact/supporting_face.h"
 #include "dgd/convex_set.h"
 #include "dgd/shapes/support_distance.h"
 #include "dgd/stretch.h"
-#include "dgd/supporting_face.h"
 
 namespace dgd {
 
@@ -70,8 +70,8 @@ class Transformed {
   }
   bool IsGuessing() const requires GuessingCore<CoreType> { return core_.IsGuessing(); }
   /// See LinkedCore: what rises and leads outwards here does so there.
-  Ascent<S> SteepestAscent(VertexId vertex, const VectorS& up,
-                           const VectorS& outwards) const requires LinkedCore<CoreType> {
+  EdgeSlope<S> SteepestAscent(VertexId vertex, const VectorS& up,
+                              const VectorS& outwards) const requires LinkedCore<CoreType> {
     return core_.SteepestAscent(vertex, DirectionInCore(up), DirectionInCore(outwards));
   }
   bool IsLinked() const requires LinkedCore<CoreType> { return core_.IsLinked(); }
@@ -101,8 +101,8 @@ class Transformed {
     const Vector<double, L> x = point.template cast<double>();
     const Vector<double, L> from_offset = x - offset_.template cast<double>();
     const Vector<double, L> in_core = inverse_ * from_offset;
-    const double rounding = 16 * double(std::numeric_limits<S>::epsilon()) * condition_ * from_offset.norm();
-    const double at_least = least_stretch_ * double(core_.Distance(in_core.template cast<S>())) - rounding;
+    const double roundoff = 16 * double(std::numeric_limits<S>::epsilon()) * condition_ * from_offset.norm();
+    const double at_least = least_stretch_ * double(core_.Distance(in_core.template cast<S>())) - roundoff;
     return static_cast<S>(std::max(SupportDistance<L, Transformed>(*this, x).Find(), at_least));
   }
 

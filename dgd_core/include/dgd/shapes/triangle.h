@@ -5,8 +5,8 @@
 #include <array>
 
 #include "dgd/assert.h"
+#include "dgd/contact/supporting_face.h"
 #include "dgd/convex_set.h"
-#include "dgd/supporting_face.h"
 
 namespace dgd {
 

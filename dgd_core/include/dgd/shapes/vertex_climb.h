@@ -23,12 +23,12 @@ template <class S>
 class VertexClimb {
  public:
   VertexClimb() = default;
-  /// @param hull  Of dimension 3: the vertices of a flat hull are not in one plane but for rounding, and a walk along
+  /// @param hull  Of dimension 3: the vertices of a flat hull are not in one plane but for roundoff, and a walk along
   ///              its edges may miss the one that sticks out.
   explicit VertexClimb(const ConvexHull& hull) {
     for (const Eigen::Vector3d& vertex : hull.vertices) {
       offsets_.push_back((vertex - hull.center).template cast<S>());
-      rounding_ = std::max(rounding_, kHeightRounding * offsets_.back().template lpNorm<1>());
+      roundoff_ = std::max(roundoff_, kHeightRounding * offsets_.back().template lpNorm<1>());
     }
     LinkNeighbours(hull);
     FindPlateaus(hull);
@@ -43,13 +43,13 @@ class VertexClimb {
     return starts_[cells_.CellOf(direction)];
   }
 
-  /// A vertex of largest <direction, x>, but for rounding; some vertex if the direction is NaN. @pre !IsEmpty().
+  /// A vertex of largest <direction, x>, but for roundoff; some vertex if the direction is NaN. @pre !IsEmpty().
   /// @param hint  A vertex that is likely to be near; any number will do.
   VertexId Farthest(const Vector3<S>& direction, VertexId hint) const {
     DGD_ASSERT(!IsEmpty());
     VertexId vertex = hint < offsets_.size() ? hint : Start(direction);
     const S size = direction.template lpNorm<Eigen::Infinity>();
-    // Heights are those above the centre: far from the origin, the others' rounding would hide short edges.
+    // Heights are those above the centre: far from the origin, the others' roundoff would hide short edges.
     S height = direction.dot(offsets_[vertex]);
     // Heights rise strictly, so this ends; for NaN at once.
     while (Rise(direction, size, vertex, height)) {
@@ -58,12 +58,12 @@ class VertexClimb {
   }
 
   /// See LinkedCore. @pre !IsEmpty(), and a vertex.
-  Ascent<S> SteepestAscent(VertexId vertex, const Vector3<S>& up, const Vector3<S>& outwards) const {
-    // The edge itself that a plane turns about leads outwards by rounding only, and its slope is any number.
+  EdgeSlope<S> SteepestAscent(VertexId vertex, const Vector3<S>& up, const Vector3<S>& outwards) const {
+    // The edge itself that a plane turns about leads outwards by roundoff only, and its slope is any number.
     constexpr S kLeastSq = S(16) * std::numeric_limits<S>::epsilon();
     DGD_ASSERT(vertex < links_.size());
     const S least_sq = kLeastSq * outwards.squaredNorm();
-    Ascent<S> steepest{vertex, -std::numeric_limits<S>::infinity()};
+    EdgeSlope<S> steepest{vertex, -std::numeric_limits<S>::infinity()};
     const Links& links = links_[vertex];
     for (std::uint32_t i = links.begin; i < links.end; ++i) {
       const Neighbour& neighbour = neighbours_[i];
@@ -92,7 +92,7 @@ class VertexClimb {
   /// Heights differ for certain by more than this part of the largest offset.
   static constexpr S kHeightRounding = 4 * std::numeric_limits<S>::epsilon();
   /// A rise that need not be found, as a part of the largest offset: a thousandth of what the tests allow witness
-  /// points to be off by. Below float's rounding: in float, all plateaus are looked at.
+  /// points to be off by. Below float's roundoff: in float, all plateaus are looked at.
   static constexpr S kInvisible = S(1e-12);
   /// Of the table of starts. By measurement, of 241 to 4516 vertices: with 2 and 8, cold queries take 1.06 and 0.97 of
   /// the time.
@@ -119,7 +119,7 @@ class VertexClimb {
     return rises || (is_plateau && RiseFromPlateau(direction, size, vertex, height));
   }
 
-  /// Goes on to a higher vertex by way of those that are as high as this one but for rounding: at short edges, the way
+  /// Goes on to a higher vertex by way of those that are as high as this one but for roundoff: at short edges, the way
   /// up may lead over their other ends.
   DGD_COLD bool RiseFromPlateau(const Vector3<S>& direction, S size, VertexId& vertex, S& height) const {
     std::array<VertexId, kMaxPlateau> plateau;
@@ -135,7 +135,7 @@ class VertexClimb {
           height = candidate;
           vertex = neighbour.vertex;
           rises = true;
-        } else if (!rises && candidate >= height - rounding_ * size && count < kMaxPlateau &&
+        } else if (!rises && candidate >= height - roundoff_ * size && count < kMaxPlateau &&
                    std::find(plateau.begin(), plateau.begin() + count, neighbour.vertex) == plateau.begin() + count) {
           plateau[static_cast<std::size_t>(count++)] = neighbour.vertex;
         }
@@ -146,7 +146,7 @@ class VertexClimb {
 
   /// Joins each vertex to those 1, 2, 4, ... places further around each of its facets. The first are the edges, along
   /// which a walk finds the top of an exact polytope. The others are for merged facets, where many short edges differ
-  /// in height by rounding only and could end the walk far from the top; and they cross a large facet in few steps.
+  /// in height by roundoff only and could end the walk far from the top; and they cross a large facet in few steps.
   void LinkNeighbours(const ConvexHull& hull) {
     std::vector<std::vector<VertexId>> links(offsets_.size());
     const auto link = [&](VertexId a, VertexId b) {
@@ -172,14 +172,14 @@ class VertexClimb {
     }
   }
 
-  /// A vertex that no neighbour is higher than, but for rounding, is the highest along a direction that is tilted by
-  /// that rounding over an edge's length, and by more where its edges are nearly parallel. So what is higher is so by
+  /// A vertex that no neighbour is higher than, but for roundoff, is the highest along a direction that is tilted by
+  /// that roundoff over an edge's length, and by more where its edges are nearly parallel. So what is higher is so by
   /// that angle times the hull's size at most: only short edges and thin corners make a rise of it. Where a query ends
   /// there is a plateau, the facet's corners: to look at all of them, warm queries of hulls of 241 and 2000 vertices
   /// take 1.5 times as long.
   void FindPlateaus(const ConvexHull& hull) {
-    const S least = 2 * rounding_ / kInvisible;
-    for (Links& links : links_) links.plateau = -rounding_;
+    const S least = 2 * roundoff_ / kInvisible;
+    for (Links& links : links_) links.plateau = -roundoff_;
     for (std::size_t facet = 0; facet < hull.normals.size(); ++facet) {
       const auto begin = static_cast<std::size_t>(hull.facet_start[facet]);
       const std::size_t count = static_cast<std::size_t>(hull.facet_start[facet + 1]) - begin;
@@ -188,7 +188,7 @@ class VertexClimb {
         const VertexId vertex = corner(i + 1);
         const Vector3<S> back = offsets_[corner(i)] - offsets_[vertex], on = offsets_[corner(i + 2)] - offsets_[vertex];
         const S longer = std::sqrt(std::max(back.squaredNorm(), on.squaredNorm()));
-        if (!(back.cross(on).norm() > least * longer)) links_[vertex].plateau = rounding_;
+        if (!(back.cross(on).norm() > least * longer)) links_[vertex].plateau = roundoff_;
       }
     }
   }
@@ -204,7 +204,7 @@ class VertexClimb {
   }
 
   std::vector<Vector3<S>> offsets_;  // The vertices from the centre.
-  S rounding_ = 0;                   // Of the heights, for a direction of unit size; metres.
+  S roundoff_ = 0;                   // Of the heights, for a direction of unit size; metres.
   std::vector<Links> links_;         // Of each vertex.
   std::vector<Neighbour> neighbours_;
   /// For directions of each cell a vertex from which the walk is short.

@@ -1,0 +1,195 @@
+// An inner approximation of a convex set that holds the origin: the hull of some of its points, which grows where its
+// border is nearest to the origin.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "dgd/assert.h"
+#include "dgd/distance/gjk_simplex.h"
+#include "dgd/solver/minkowski_difference.h"
+#include "dgd/types.h"
+
+namespace dgd {
+
+/// A closed surface of triangles. A new point replaces those that it is in front of and that hang together, found by
+/// the edges that they share: there are no links between neighbours that roundoff could tear.
+template <class S>
+class EpaPolytope {
+ public:
+  using Feature = DifferencePoint<S, 3>;
+
+  struct Face {
+    Vector3<S> normal;                    ///< Outward, unit length; zero for a sliver.
+    S distance;                           ///< Of its plane to the origin, metres; infinite for a sliver.
+    S slack;                              ///< By how much roundoff may tilt it at the set's other end, metres.
+    std::array<std::uint8_t, 3> corners;  ///< Counterclockwise seen from outside.
+  };
+
+  /// @param corners   Of a tetrahedron that holds the origin, but for roundoff.
+  /// @param roundoff  Of the points, metres.
+  /// @param reach     Of the points from each other, about; metres.
+  EpaPolytope(const std::array<Feature, 4>& corners, S roundoff, S reach)
+      : roundoff_(roundoff), reach_(reach), size_(4) {
+    DGD_ASSERT(!(roundoff < 0) && !(reach < 0));
+    std::copy(corners.begin(), corners.end(), points_.begin());
+    const auto to = [&](std::size_t i) -> Vector3<S> { return points_[i].point - points_[0].point; };
+    if (to(1).cross(to(2)).dot(to(3)) > 0) std::swap(points_[0], points_[1]);
+    AddFace(0, 1, 2);
+    AddFace(0, 3, 1);
+    AddFace(1, 3, 2);
+    AddFace(2, 3, 0);
+  }
+
+  /// Whether the face has no plane, being too narrow.
+  static bool IsSliver(const Face& face) { return !(face.distance < std::numeric_limits<S>::infinity()); }
+
+  /// Radius of a ball about the origin that the surface is outside of; negative if the origin is, by roundoff. A foot
+  /// on a sliver is not farther than the sliver's width from a face that has a plane.
+  S Inradius() const {
+    const Face& nearest = Nearest();
+    if (IsSliver(nearest)) return 0;
+    const S distance = nearest.distance;
+    return distance > widest_sliver_ ? std::sqrt((distance - widest_sliver_) * (distance + widest_sliver_))
+                                     : std::min(distance, S(0));
+  }
+
+  /// A face whose plane is nearest to the origin.
+  const Face& Nearest() const {
+    DGD_ASSERT(face_count_ > 0);
+    return *std::min_element(faces_.begin(), End(),
+                             [](const Face& a, const Face& b) { return a.distance < b.distance; });
+  }
+
+  /// The same among those that look along a unit vector, by their normals' cosine to it; a sliver if there is none.
+  Face NearestAlong(const Vector3<S>& direction, S least_cosine) const {
+    Face nearest{Vector3<S>::Zero(), std::numeric_limits<S>::infinity(), 0, {}};
+    std::for_each(faces_.begin(), End(), [&](const Face& face) {
+      if (face.distance < nearest.distance && face.normal.dot(direction) > least_cosine) nearest = face;
+    });
+    return nearest;
+  }
+
+  bool IsFull() const { return size_ == kMaxPoints; }
+
+  /// Whether roundoff has torn the surface, which then has more faces than there is room for: it bounds nothing.
+  bool IsTorn() const { return is_torn_; }
+
+  /// The point of the surface that is nearest to a point on or outside of it.
+  Feature NearestTo(const Vector3<S>& target) const {
+    Feature nearest = points_[0];
+    S least = std::numeric_limits<S>::infinity();
+    std::for_each(faces_.begin(), End(), [&](const Face& face) {
+      const bool is_turned_away = !IsSliver(face) && face.normal.dot(target) - face.distance < -face.slack;
+      if (is_turned_away) return;
+      std::array<Feature, 3> corners{points_[face.corners[0]], points_[face.corners[1]], points_[face.corners[2]]};
+      for (Feature& corner : corners) corner.point -= target;
+      const GjkSimplex<S> triangle(corners, 3);
+      const S distance_sq = triangle.Nearest().squaredNorm();
+      if (!(distance_sq < least)) return;
+      least = distance_sq;
+      nearest = triangle.Combination();
+      nearest.point += target;
+    });
+    return nearest;
+  }
+
+  /// Takes in a point of the set.
+  /// @return false, and nothing changes, if the point is not in front of any face by more than roundoff, or there is no
+  ///         room for it.
+  bool Add(const Feature& added) {
+    if (size_ == kMaxPoints || is_torn_) return false;
+    const auto height = [&](const Face& face) { return face.normal.dot(added.point) - face.distance; };
+    const auto seed =
+        std::max_element(faces_.begin(), End(), [&](const Face& a, const Face& b) { return height(a) < height(b); });
+    if (!(height(*seed) > roundoff_)) return false;
+
+    // Bit b of edges[a]: a replaced face has the edge from a to b. Replaced faces are moved to the end.
+    std::array<std::uint64_t, kMaxPoints> edges{};
+    auto replaced = End();
+    const auto replace = [&](typename std::array<Face, kMaxFaces>::iterator face) {
+      for (std::size_t i = 0; i < 3; ++i) edges[face->corners[i]] |= Bit(face->corners[(i + 1) % 3]);
+      std::iter_swap(face, --replaced);
+    };
+    replace(seed);
+    for (bool has_grown = true; has_grown;) {
+      has_grown = false;
+      for (auto face = faces_.begin(); face < replaced;) {
+        bool is_neighbour = false;
+        for (std::size_t i = 0; i < 3; ++i) {
+          is_neighbour = is_neighbour || (edges[face->corners[(i + 1) % 3]] & Bit(face->corners[i])) != 0;
+        }
+        // Faces that hold the point in their plane go, too: beside one of them, it may be in line with its edge.
+        // So do slivers, which look anywhere.
+        if (is_neighbour && (IsSliver(*face) || height(*face) > -face->slack)) {
+          replace(face);
+          has_grown = true;
+        } else {
+          ++face;
+        }
+      }
+    }
+    if (replaced == faces_.begin()) return false;
+    face_count_ = static_cast<std::size_t>(replaced - faces_.begin());
+    points_[size_] = added;
+    const auto apex = static_cast<std::uint8_t>(size_++);
+    DGD_ASSERT(size_ <= kMaxPoints && face_count_ <= kMaxFaces);
+    for (std::uint8_t from = 0; from < apex; ++from) {
+      for (std::uint64_t rest = edges[from]; rest != 0; rest &= rest - 1) {
+        const auto to = static_cast<std::uint8_t>(std::countr_zero(rest));
+        if ((edges[to] & Bit(from)) == 0) AddFace(from, to, apex);
+      }
+    }
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t kMaxPoints = 64;             // As many as an edge's bits.
+  static constexpr std::size_t kMaxFaces = 2 * kMaxPoints;  // A closed surface has 2 n - 4.
+
+  auto End() const { return faces_.begin() + static_cast<std::ptrdiff_t>(face_count_); }
+  auto End() { return faces_.begin() + static_cast<std::ptrdiff_t>(face_count_); }
+
+  static std::uint64_t Bit(std::uint8_t point) { return std::uint64_t(1) << point; }
+
+  void AddFace(std::uint8_t a, std::uint8_t b, std::uint8_t c) {
+    DGD_ASSERT(a < size_ && b < size_ && c < size_);
+    if (face_count_ == kMaxFaces) {
+      is_torn_ = true;
+      return;
+    }
+    Face& face = faces_[face_count_++];
+    face.corners = {a, b, c};
+    const Vector3<S>& origin = points_[a].point;
+    const Vector3<S> to_b = points_[b].point - origin, to_c = points_[c].point - origin;
+    const Vector3<S> cross = to_b.cross(to_c);
+    const S area = cross.norm();  // Twice.
+    const S longest_sq = std::max({to_b.squaredNorm(), to_c.squaredNorm(), (to_c - to_b).squaredNorm()});
+    const S width = longest_sq > 0 ? area / std::sqrt(longest_sq) : S(0);
+    // Narrower than that, a face's plane has lost half of its digits.
+    if (width * width > roundoff_ * reach_) {
+      face.normal = cross / area;
+      face.distance = face.normal.dot(origin);
+      face.slack = roundoff_ * (1 + reach_ / width);
+    } else {
+      face.normal.setZero();
+      face.distance = std::numeric_limits<S>::infinity();
+      face.slack = 0;
+      widest_sliver_ = std::max(widest_sliver_, width);
+    }
+  }
+
+  S roundoff_, reach_;
+  S widest_sliver_ = 0;  // That there ever was.
+  std::size_t size_, face_count_ = 0;
+  bool is_torn_ = false;
+  std::array<Feature, kMaxPoints> points_;
+  std::array<Face, kMaxFaces> faces_;
+};
+
+}  // namespace dgd

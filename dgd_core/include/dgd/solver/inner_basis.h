@@ -1,0 +1,186 @@
+// The basis of the inner approximation: the points of the feature through which the ray leaves it, and their weights.
+//
+// All coordinates are in the ray frame: the last one is the height along the ray, those before run across it.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "dgd/assert.h"
+#include "dgd/inlining.h"
+#include "dgd/solver/feature_exit.h"
+#include "dgd/solver/minkowski_difference.h"
+#include "dgd/solver/tolerances.h"
+#include "dgd/solver/triangle_crossing.h"
+
+namespace dgd::solver_internal {
+
+/// What InnerApproximation finds, and how one basis takes the place of another.
+template <class S, int L>
+class InnerBasis {
+ public:
+  using Point = Vector<S, L>;
+
+  /// For the last basis of a query: moves the weights to where their point is nearest to the exit. Where the ray meets
+  /// an edge, the basis turns about that from steep facets to flatter ones, and the height that the steepest one gave
+  /// stays: at a slope of 0.01 a roundoff error across the ray is a hundred of it in the height. The point is then that
+  /// much below the exit, but not that far from the plane. Test: InnerApproximation.MoveToExit_*.
+  void MoveToExit() {
+    if (weights_inexact_) MoveRoughToExit();
+  }
+
+  /// Lower bound on the height at which the ray leaves C, metres.
+  S Height() const { return height_; }
+  /// Outward unit normal of the approximation where the ray leaves it; its height is > 0 but for roundoff.
+  const Point& Normal() const { return normal_; }
+  /// The normal's, of any length: a search for a vertex need not wait for the square root.
+  const Point& Direction() const { return direction_; }
+  /// Points of the feature, Size() of them, counterclockwise about the ray if three.
+  const DifferencePoint<S, L>& operator[](int i) const {
+    DGD_ASSERT(i >= 0 && i < size_);
+    return points_[static_cast<std::size_t>(i)];
+  }
+  int Size() const { return size_; }
+  /// Convex weights of those points, whose combination is the feature's point under the exit.
+  S Weight(int i) const {
+    DGD_ASSERT(i >= 0 && i < size_);
+    return weights_[static_cast<std::size_t>(i)];
+  }
+
+  /// The cores' points whose difference is the feature's point under the exit: convex combinations (eq.
+  /// primal-optimal).
+  Point CorePoint1() const {
+    return Combine([](const DifferencePoint<S, L>& point) { return point.on_1; });
+  }
+  Point CorePoint2() const {
+    return Combine([](const DifferencePoint<S, L>& point) -> Point { return point.on_1 - point.point; });
+  }
+
+ protected:
+  struct Candidate : FeatureExit<S, L> {
+    std::array<int, L - 1> kept{};  // Which basis points its feature has; the added point comes last.
+  };
+
+  template <class Part>
+  Point Combine(Part part) const {
+    Point sum = weights_[0] * part(points_[0]);
+    for (std::size_t i = 1; i < static_cast<std::size_t>(size_); ++i) sum += weights_[i] * part(points_[i]);
+    return sum;
+  }
+
+  const Point& PointOf(int i) const { return points_[static_cast<std::size_t>(i)].point; }
+
+  /// Of the feature's point, moved by the ball, from the exit at the height, metres.
+  Point OffExit(const std::array<S, L>& weights) const {
+    Point sum = convex_radius_ * normal_ - height_ * Point::Unit(L - 1);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(size_); ++i) sum += weights[i] * points_[i].point;
+    return sum;
+  }
+
+  DGD_COLD void MoveRoughToExit() {
+    std::array<S, L> weights = weights_;
+    if (size_ == 2) {
+      MoveAlongSide<S, L>(PointOf(1) - PointOf(0), OffExit(weights), weights[0], weights[1]);
+    } else if constexpr (L == 3) {
+      if (size_ == 1) return;
+      const std::array<Point, 3> corners = {PointOf(0), PointOf(1), PointOf(2)};
+      const Point target = height_ * Point::UnitZ() - convex_radius_ * normal_;
+      MoveFromLongestSide<S, 3>(corners, target, weights);
+      MoveAlongSides<S, 3>(corners, target, weights);
+    }
+    if (OffExit(weights).squaredNorm() < OffExit(weights_).squaredNorm()) weights_ = weights;
+  }
+
+  /// Largest coordinate of the basis and the added point, metres.
+  S Reach(const Point& added) const {
+    S reach = added.cwiseAbs().maxCoeff();
+    for (const DifferencePoint<S, L>& point : points_) reach = std::max(reach, point.point.cwiseAbs().maxCoeff());
+    return reach;
+  }
+
+  /// Whether the exit is not lower than now by more than roundoff; the bound itself is monotone. Equal heights are
+  /// taken: where the ray meets an edge of the basis, a simplex step turns the plane without raising it, and may lower
+  /// it by roundoff many times on the way to the right plane.
+  bool IsHighEnough(const Candidate& candidate, const Point& added) const {
+    return candidate.height >= height_ || candidate.height >= height_ - HeightRoundoff(candidate, added);
+  }
+
+  /// Makes the kept points and the added one the basis if there is an exit among them, and that is high enough: far
+  /// points are rounded by more than any height.
+  bool Replace(const Candidate& candidate, const DifferencePoint<S, L>& added) {
+    if (candidate.size == 0 || !IsHighEnough(candidate, added.point)) return false;
+    // The kept points go to the front; i < j cyclically, so they may have to move in either order.
+    const auto kept_count = static_cast<std::size_t>(candidate.size - 1);
+    std::array<DifferencePoint<S, L>, L - 1> kept;
+    for (std::size_t i = 0; i < kept_count; ++i) kept[i] = points_[static_cast<std::size_t>(candidate.kept[i])];
+    for (std::size_t i = 0; i < kept_count; ++i) points_[i] = kept[i];
+    points_[kept_count] = added;
+    Adopt(candidate);
+    return true;
+  }
+
+  /// As Replace(), for a facet of FacetExit(): the added point takes the dropped one's place, and the kept ones stay,
+  /// which puts the three in the same order about the ray.
+  bool ReplaceOne(const Candidate& candidate, int dropped, const DifferencePoint<S, L>& added) {
+    if (!IsHighEnough(candidate, added.point)) return false;
+    points_[static_cast<std::size_t>(dropped)] = added;
+    AdoptExit(candidate);
+    weights_[static_cast<std::size_t>(dropped)] = candidate.weights[L - 1];
+    for (std::size_t i = 0; i + 1 < L; ++i)
+      weights_[static_cast<std::size_t>(candidate.kept[i])] = candidate.weights[i];
+    OrderAboutRay();
+    return true;
+  }
+
+  /// Takes over the exit of the points that are now the basis.
+  void Adopt(const Candidate& candidate) {
+    AdoptExit(candidate);
+    weights_ = candidate.weights;
+    OrderAboutRay();
+  }
+
+  void AdoptExit(const Candidate& candidate) {
+    size_ = candidate.size;
+    normal_ = candidate.normal;
+    DGD_ASSERT(size_ >= 1 && size_ <= L && IsUnitOrNan(normal_));
+    direction_ = candidate.direction;
+    AdoptHeight(candidate.height, candidate.is_rough);
+  }
+
+  void AdoptHeight(S height, bool is_rough) {
+    DGD_ASSERT(!std::isnan(height));
+    height_ = std::max(height_, std::min(height, ceiling_));
+    weights_inexact_ = is_rough || height_ != height;
+  }
+
+  /// Counterclockwise, which OutgoingIndex() relies on.
+  void OrderAboutRay() {
+    if constexpr (L == 3) {
+      if (size_ == 3 && Cross<S>(PointOf(1) - PointOf(0), PointOf(2) - PointOf(0)) < 0) {
+        std::swap(points_[0], points_[1]);
+        std::swap(weights_[0], weights_[1]);
+      }
+    }
+  }
+
+  /// How much lower than now an exit may be by roundoff: the error of the points' coordinates across the ray, up the
+  /// slope of the steeper plane.
+  S HeightRoundoff(const Candidate& candidate, const Point& added) const {
+    return kWeightSlack<S> * Reach(added) / std::max(kSteep<S>, std::min(candidate.normal[L - 1], normal_[L - 1]));
+  }
+
+  std::array<DifferencePoint<S, L>, L> points_;
+  std::array<S, L> weights_{};
+  Point normal_ = Point::Unit(L - 1);
+  Point direction_ = Point::Unit(L - 1);
+  S convex_radius_ = 0;
+  S height_ = 0;
+  S ceiling_ = std::numeric_limits<S>::infinity();
+  int size_ = 0;
+  bool weights_inexact_ = false;  // The weights' point may not be the exit.
+};
+
+}  // namespace dgd::solver_internal

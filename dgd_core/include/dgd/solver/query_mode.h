@@ -1,0 +1,12 @@
+// What is asked of two sets.
+#pragma once
+
+namespace dgd {
+
+/// What ends a query besides convergence.
+enum class QueryMode {
+  kDistance,
+  kCollision  ///< A common point, or a plane between the sets.
+};
+
+}  // namespace dgd
