@@ -10,6 +10,7 @@
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
+/// Small enough to be returned in registers, stage by stage.
 struct PairOutcome {
   /// The stage that ended the call.
   enum class Stage : std::uint8_t {
@@ -19,12 +20,13 @@ struct PairOutcome {
     kSolved,     ///< The growth distance was solved.
   };
 
+  double gap = 0;  ///< Relative gap between the bounds of the growth distance, if that was solved.
+  int iterations = 0;
+  std::uint8_t patch_size = 0;
   Stage stage = Stage::kSolved;
   std::optional<Fallback> fallback = std::nullopt;  ///< Why there is no result; the other members are unused then.
-  int iterations = 0;
-  double gap = 0;  ///< Relative gap between the bounds of the growth distance, if that was solved.
-  int patch_size = 0;
 };
+static_assert(sizeof(PairOutcome) <= 16);
 
 }  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -84,7 +84,8 @@ Contact FindContact(PairQuery& query) {
 }
 
 PairOutcome OutcomeOf(const PairQuery& query, const Contact& contact, int patch_size) {
-  PairOutcome outcome{.stage = query.stage, .iterations = contact.iterations, .patch_size = patch_size};
+  PairOutcome outcome{
+      .iterations = contact.iterations, .patch_size = static_cast<std::uint8_t>(patch_size), .stage = query.stage};
   if (contact.status == dgd::Status::kSeparated) {
     outcome.stage = PairOutcome::Stage::kSeparated;
   } else if (query.stage == PairOutcome::Stage::kSolved && contact.status != dgd::Status::kCoincidentCenters) {

@@ -88,7 +88,7 @@ PairOutcome SolveDistance(PairState& pair, std::shared_ptr<const CachedHull>& hu
   DGD_ASSERT(IsUnit(contact.normal));
   contacts.normal = contact.normal;
   if (IsOutOfReach(contact.separation, border, range, motion)) {
-    return {.stage = PairOutcome::Stage::kSeparated, .iterations = contact.iterations};
+    return {.iterations = contact.iterations, .stage = PairOutcome::Stage::kSeparated};
   }
   const double flush = NegligibleDistance(pair.manifold.BreakingThreshold());
   // The classification of two convex shapes needs a point of the plane only.
@@ -101,7 +101,7 @@ PairOutcome SolveDistance(PairState& pair, std::shared_ptr<const CachedHull>& hu
   }
   if (contacts.is_passing) LetPass(contacts.patch, contact.normal, motion, flush);
   DGD_ASSERT(contacts.patch.size <= options.patch_size);
-  return {.iterations = contact.iterations, .patch_size = contacts.patch.size};
+  return {.iterations = contact.iterations, .patch_size = static_cast<std::uint8_t>(contacts.patch.size)};
 }
 
 /// The second stage: the body's bounding box is out of reach; and else the third. A plane has no end, so that all

@@ -57,7 +57,7 @@ std::optional<PairOutcome> TryCachedAxis(const PairState& pair, const PairCache&
   if (get_motion(bounded_a, bounded_b).MayApproachBy(separation, FromBullet(normal))) return std::nullopt;
   // The manifold may have contacts of Bullet's own algorithm.
   if (pair.manifold.IsOwn() && !pair.manifold.IsEmpty()) return std::nullopt;
-  return PairOutcome{.stage = PairOutcome::Stage::kSeparated, .iterations = 1};
+  return PairOutcome{.iterations = 1, .stage = PairOutcome::Stage::kSeparated};
 } catch (const std::exception&) {
   return std::nullopt;  // A user's shape has thrown: the next stage reports it.
 }

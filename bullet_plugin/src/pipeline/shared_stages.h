@@ -27,7 +27,8 @@ inline std::optional<PairOutcome> TryRecycledContacts(PairState& pair, const Rec
   if (!pair.is_recyclable) return std::nullopt;
   pair.is_recyclable = UpdateRecycledContacts(pair, a, b, call);
   if (!pair.is_recyclable) return std::nullopt;
-  return PairOutcome{.stage = PairOutcome::Stage::kRecycled, .patch_size = pair.manifold->getNumContacts()};
+  const auto points = static_cast<std::uint8_t>(pair.manifold->getNumContacts());
+  return PairOutcome{.patch_size = points, .stage = PairOutcome::Stage::kRecycled};
 }
 
 /// Makes the manifold's points those of the patch, and caches them for the first stage of the next step.

@@ -35,7 +35,7 @@ PairCounters::Row& PairCounters::RowOf(int type_0, int type_1) {
 }
 
 void PairCounters::Count(int type_0, int type_1, const PairOutcome& outcome) {
-  DGD_ASSERT(!outcome.fallback && outcome.iterations >= 0 && outcome.patch_size >= 0 && outcome.patch_size <= 4);
+  DGD_ASSERT(!outcome.fallback && outcome.iterations >= 0 && outcome.patch_size <= 4);
   Row& row = RowOf(type_0, type_1);
   switch (outcome.stage) {
     case PairOutcome::Stage::kSeparated:
@@ -54,7 +54,7 @@ void PairCounters::Count(int type_0, int type_1, const PairOutcome& outcome) {
   }
   Increment(row.iterations[std::min<std::size_t>(static_cast<std::size_t>(outcome.iterations),
                                                  PairStatistics::kMaxIterations)]);
-  Increment(row.patch_sizes[static_cast<std::size_t>(outcome.patch_size)]);
+  Increment(row.patch_sizes[outcome.patch_size]);
 }
 
 void PairCounters::CountFallback(int type_0, int type_1, Fallback fallback) {

@@ -9,8 +9,6 @@
 #include <string_view>
 #include <type_traits>
 
-#include "dgd/assert.h"
-
 namespace dgd_bullet::record {
 
 static_assert(std::endian::native == std::endian::little, "records are written as numbers lie in memory");
@@ -54,7 +52,6 @@ void Append(std::string& bytes, const Number& number) {
 /// Takes the first number off the bytes, which must hold it.
 template <class Number>
 Number Take(std::string_view& bytes) {
-  DGD_ASSERT(bytes.size() >= sizeof(Number));
   Number number;
   // cppcheck-suppress invalidLifetime ; the number is no view of the bytes
   std::memcpy(&number, bytes.data(), sizeof(Number));

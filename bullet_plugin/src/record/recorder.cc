@@ -57,7 +57,7 @@ class ShapeContent {
   }
   template <class... Cores>
   Content With(const dgd::OneOf<Cores...>& core) const {
-    return core.Visit([this](const auto& one) { return With(one); });
+    return core.Visit([this](const auto& one) { return this->With(one); });
   }
   /// No Bullet shape has these cores.
   Content With(const dgd::Frustum<double>&) const { return std::nullopt; }
