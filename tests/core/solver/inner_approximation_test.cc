@@ -181,7 +181,7 @@ TEST(InnerApproximation, Insert_PointAcrossAnEdgeThatCarriesTheRay_TurnsTheFacet
   ASSERT_TRUE(inner.Insert(FloatPointAt(-0.633357763f, 0.474062234f, 6.34299898f), 5.70467567f));
   const float height = inner.Height();
   const DifferencePoint<float> across = FloatPointAt(-0.0213195682f, 0.0180679262f, 5.69843388f);
-  ASSERT_TRUE(inner.IsAbove(across.point));
+  ASSERT_TRUE(inner.IsAbove(across.point, 1e-3f));
   ASSERT_TRUE(inner.Insert(across, 5.69639826f));
   EXPECT_NEAR(inner.Normal().dot(across.point - inner[0].point), 0, 1e-6f);
   EXPECT_EQ(inner.Height(), height);

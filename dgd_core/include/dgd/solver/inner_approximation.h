@@ -106,8 +106,18 @@ class InnerApproximation : public solver_internal::InnerBasis<S, L> {
     return convex_radius_ > 0 ? InsertWithRadius(added) : InsertSharp(added);
   }
 
-  /// Whether a point is farther out than the feature.
-  bool IsAbove(const Point& point) const { return direction_.dot(point - PointOf(0)) > 0; }
+  /// Whether a point is farther out than the feature by enough to raise the height by `rise` metres at least, if the
+  /// feature were all there is.
+  bool IsAbove(const Point& point, S rise) const {
+    return direction_.dot(point - PointOf(0)) > rise * direction_[L - 1];
+  }
+
+  /// Whether a point adds enough of what is left up to `ceiling` to be worth the insertion; of those met before, most
+  /// often it is in the basis already. With a tenth, moving meshes take a tenth more directions.
+  bool IsWorthwhile(const Point& point, S ceiling) const {
+    constexpr S kLeast = S(0.01);
+    return IsAbove(point, kLeast * (ceiling - height_));
+  }
 
   /// Takes over a whole basis, one to L points of the cores' difference that were the feature of an earlier query,
   /// if the ray leaves through the same feature, not lower than so far.

@@ -43,7 +43,6 @@ class PortalSupport : protected Portal<typename MinkowskiDifference<Set1, Set2>:
   using Corner = typename Portal<S>::Corner;
   using Portal<S>::corners_;
   using Portal<S>::HasVertices;
-  using Portal<S>::is_weighed_;
   using Portal<S>::length_;
   using Portal<S>::normal_;
   using Portal<S>::weights_;
@@ -162,7 +161,7 @@ class PortalSupport : protected Portal<typename MinkowskiDifference<Set1, Set2>:
   }
   template <class Core>
   Point Middle(const Core& core, FeatureId Corner::*feature) const {
-    DGD_ASSERT(HasVertices() && is_weighed_);
+    DGD_ASSERT(HasVertices());
     Point sum = weights_[0] * core.Vertex(corners_[0].*feature);
     for (std::size_t i = 1; i < 3; ++i) sum += weights_[i] * core.Vertex(corners_[i].*feature);
     return sum;

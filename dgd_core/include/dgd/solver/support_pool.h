@@ -1,0 +1,72 @@
+// What the support points of a query say of each set alone.
+//
+// A support point of C comes from one point of each set. But any point of set 1 less any point of set 2 belongs to C:
+// k evaluations of the support functions give not k points of C but k^2, and the inner approximation may use all of
+// them without asking the sets again. In the dual, the support function of C is the sum of the sets' (eq. 5), and a
+// model of each term, whose planes combine freely, approaches a sum's minimum in fewer steps than a model of the sum:
+// these are the disaggregated cutting planes of the multicut method (Birge and Louveaux 1988, "A multicut algorithm for
+// two-stage stochastic linear programs").
+//
+// With all points kept, each direction that the inner approximation names brings a new point of at least one set or
+// ends the query: polytopes of m and n vertices take at most m + n directions, of m * n pairs of vertices. Here the
+// latest few are kept; termination is the inner approximation's then, whose height rises with each point it takes.
+// Measured: custom sets of hulls take a third fewer directions by it, sharp ones 6 % fewer instructions; smooth custom
+// sets, whose points are met once, up to 2.3 times the instructions. What it is kept for is how exact the last normal
+// is: without it, bodies of unequal spheres and of apps' own shapes that lie on boxes creep (tests/physics, rest and
+// incline).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "dgd/assert.h"
+#include "dgd/solver/minkowski_difference.h"
+#include "dgd/types.h"
+
+namespace dgd {
+
+template <class S, int L = 3>
+class SupportPool {
+ public:
+  using Point = Vector<S, L>;
+
+  /// Of older points the oldest is forgotten: four cost meshes 5 % more directions, twelve save 1 %.
+  static constexpr std::size_t kCapacity = 8;
+
+  /// @param support  Of C; its parts from the two sets are what is remembered.
+  void Remember(const DifferencePoint<S, L>& support) {
+    on_1_[next_] = {support.on_1, support.feature_1};
+    minus_2_[next_] = {support.point - support.on_1, support.feature_2};
+    next_ = (next_ + 1) % kCapacity;
+    if (size_ < kCapacity) ++size_;
+  }
+
+  /// Of all differences of known points, the point of C farthest along a direction. At least one is known.
+  DifferencePoint<S, L> Farthest(const Point& direction) const {
+    DGD_ASSERT(size_ > 0);
+    const SupportPoint<S, L>& a = Farthest(on_1_, direction);
+    const SupportPoint<S, L>& b = Farthest(minus_2_, direction);
+    return {a.point + b.point, a.point, a.feature, b.feature};
+  }
+
+ private:
+  using Points = std::array<SupportPoint<S, L>, kCapacity>;
+
+  const SupportPoint<S, L>& Farthest(const Points& points, const Point& direction) const {
+    std::size_t farthest = 0;
+    S height = direction.dot(points[0].point);
+    for (std::size_t i = 1; i < size_; ++i) {
+      const S other = direction.dot(points[i].point);
+      // Without a branch: which one is higher is what no predictor knows.
+      farthest = other > height ? i : farthest;
+      height = std::max(height, other);
+    }
+    return points[farthest];
+  }
+
+  Points on_1_, minus_2_;  // Ray frame, about the centres; minus_2_ the negative of set 2's.
+  std::size_t next_ = 0, size_ = 0;
+};
+
+}  // namespace dgd
