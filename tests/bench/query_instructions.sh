@@ -1,6 +1,7 @@
 #!/bin/sh
 # Instructions that a query takes, by callgrind: kinds of queries by kinds of pairs, means over 100 random pairs. They do
-# not depend on what else the machine does, so that two versions of the solver can be compared to the per cent.
+# not depend on what else the machine does, so that two versions of the solver can be compared to the per cent. `warm` is
+# five frames, and `follow` a signed distance and five frames.
 #
 #   sh tests/bench/query_instructions.sh      after a build; needs valgrind
 set -eu

@@ -100,6 +100,7 @@ template <class S>
 class ProjectedFace {
  public:
   /// @param min_cosine  Of the angle between the polygon's normal and the contact's; below it, the face is an edge.
+  // cppcheck-suppress uninitMemberVar ; a reference, which is
   ProjectedFace(const SupportingFace<S>& face, S min_cosine) : face_(face), area_(face.Area()) {
     is_polygon_ = face.size > 2 && area_.z() * area_.z() > min_cosine * min_cosine * area_.squaredNorm();
     if (!is_polygon_) return;
