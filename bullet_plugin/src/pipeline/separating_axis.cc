@@ -126,7 +126,6 @@ double SupportValue(const PlacedShape& placed, const btVector3& direction) {
 double SeparationAlong(const PlacedShape& shape_a, const PlacedShape& shape_b, const btVector3& normal) {
   const Vector3 between = FromBullet(shape_b.wrapper.getWorldTransform().getOrigin()) -
                           FromBullet(shape_a.wrapper.getWorldTransform().getOrigin());
-  DGD_ASSERT(!(std::abs(normal.length2() - 1) > btScalar(1e-3)));
   const double separation =
       FromBullet(normal).dot(between) - SupportValue(shape_a, normal) - SupportValue(shape_b, -normal);
   return std::isfinite(separation) ? separation : -std::numeric_limits<double>::infinity();

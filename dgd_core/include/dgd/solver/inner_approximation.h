@@ -58,7 +58,7 @@ class InnerApproximation : public solver_internal::InnerBasis<S, L> {
 
   /// Starts at the difference of the centres, which belongs to the cores' difference: for convex_radius > 0.
   static InnerApproximation FromCenter(S convex_radius) {
-    DGD_ASSERT(convex_radius > 0);
+    DGD_ASSERT(!(convex_radius < 0));
     InnerApproximation approximation;
     approximation.convex_radius_ = convex_radius;
     approximation.size_ = 1;

@@ -131,7 +131,6 @@ class MinkowskiDifference {
     frame_ = length_ > kCoincidence<S> * inradius_ ? FrameAlong<S>(Point(p / length_)) : Matrix::Identity();
     to_frame_1_.noalias() = frame_.transpose() * pose_1.rotation;
     to_frame_2_.noalias() = frame_.transpose() * pose_2.rotation;
-    DGD_ASSERT(IsUnitOrNan(frame_.col(L - 1)));
     convex_radius_ = keep_radius_apart && radius > kMinConvexRadius<S> * core_inradius ? radius : 0;
     inflation_1_ = convex_radius_ > 0 ? 0 : set_1.radius;
     inflation_2_ = convex_radius_ > 0 ? 0 : set_2.radius;

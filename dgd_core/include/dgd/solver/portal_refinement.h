@@ -366,7 +366,7 @@ class PortalRefinement : private solver_internal::PortalDiscovery<Set1, Set2> {
   /// A pair that is apart remembers its normal only: the next query tries that first, and needs no basis then.
   void Remember(Status status, const Point& normal, WarmStart<S>& state) const {
     RememberCorners(state);
-    DGD_ASSERT(IsUnitOrNan(normal) && HasVertices());
+    DGD_ASSERT(IsUnitOrNan(normal) && (status == Status::kSeparated || HasVertices()));
     state.normal_1 = (pose_1_.rotation.transpose() * normal).normalized();
     state.size = status == Status::kSeparated ? 0 : 3;
   }
