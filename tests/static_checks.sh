@@ -40,7 +40,7 @@ cppcheck --std=c++20 --language=c++ --quiet --error-exitcode=1 --enable=warning,
 
 install_packages clang-tidy-14
 [ -e "$build_dir/compile_commands.json" ] || configure -DDGD_BUILD_TESTS=ON
-# The two flags are g++'s, and clang does not know them.
+# The two flags are for g++'s options that clang does not have.
 find "$@" -name '*.cc' ! -path '*/package/*' ! -name '*_avx2.cc' -print0 | sort -z |
   xargs -0 -P "$(nproc)" -n 1 clang-tidy-14 -p "$build_dir" --quiet \
     --extra-arg=-Wno-unknown-warning-option --extra-arg=-Wno-ignored-optimization-argument || status=1

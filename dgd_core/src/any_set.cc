@@ -77,10 +77,10 @@ SignedDistanceResult<double> UpdateDistance(const AnySet& set_1, const Pose<doub
 
 SignedDistanceResult<double> UpdateOnReferenceFace(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
                                                    const Pose<double>& pose_2, const Settings<double>& settings,
-                                                   double angular_tolerance, ReferenceSide holder,
+                                                   double angular_tolerance, ReferenceSide side,
                                                    WarmStart<double>& state, FacingFaces<double>& facing) {
   return Dispatch(set_1, set_2, settings, [&](auto solver, const auto& a, const auto& b, const auto& for_pair) {
-    return solver.UpdateOnReferenceFace(a, pose_1, b, pose_2, for_pair, angular_tolerance, holder, state, facing);
+    return solver.UpdateOnReferenceFace(a, pose_1, b, pose_2, for_pair, angular_tolerance, side, state, facing);
   });
 }
 

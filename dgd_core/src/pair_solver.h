@@ -24,7 +24,7 @@ struct PairSolver {
   static SignedDistanceResult<double> UpdateOnReferenceFace(const Set1& set_1, const Pose<double>& pose_1,
                                                             const Set2& set_2, const Pose<double>& pose_2,
                                                             const Settings<double>& settings, double angular_tolerance,
-                                                            ReferenceSide holder, WarmStart<double>& state,
+                                                            ReferenceSide side, WarmStart<double>& state,
                                                             FacingFaces<double>& facing);
 };
 

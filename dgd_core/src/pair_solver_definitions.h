@@ -44,9 +44,9 @@ SignedDistanceResult<double> PairSolver<Set1, Set2>::UpdateDistance(const Set1& 
 template <class Set1, class Set2>
 SignedDistanceResult<double> PairSolver<Set1, Set2>::UpdateOnReferenceFace(
     const Set1& set_1, const Pose<double>& pose_1, const Set2& set_2, const Pose<double>& pose_2,
-    const Settings<double>& settings, double angular_tolerance, ReferenceSide holder, WarmStart<double>& state,
+    const Settings<double>& settings, double angular_tolerance, ReferenceSide side, WarmStart<double>& state,
     FacingFaces<double>& facing) {
-  return dgd::UpdateOnReferenceFace(set_1, pose_1, set_2, pose_2, settings, angular_tolerance, holder, state, facing);
+  return dgd::UpdateOnReferenceFace(set_1, pose_1, set_2, pose_2, settings, angular_tolerance, side, state, facing);
 }
 
 }  // namespace dgd

@@ -93,7 +93,7 @@ Sides SidesOf(const Options& options) {
   return {side(Narrowphase::kBuiltin), side(Narrowphase::kDgd)};
 }
 
-/// Whether two vectors have the same bits, apart from the fourth number, which is of no account.
+/// Whether two vectors have the same bits, except the fourth number, which is unused.
 bool IsSame(const btVector3& a, const btVector3& b) { return std::memcmp(&a, &b, 3 * sizeof(btScalar)) == 0; }
 
 bool HaveSamePoses(BenchWorld& a, BenchWorld& b) {

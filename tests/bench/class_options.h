@@ -16,8 +16,8 @@ struct ClassOptions {
   std::uint64_t seed = 1;
   std::vector<std::string> classes;  ///< Empty for all.
   std::string meshes;                ///< Folder; empty for generated ones.
-  int repeats = 10;                  ///< Queries in a row, of which the mean is taken.
-  int rounds = 3;                    ///< Turns of all methods, of which each one's least mean counts.
+  int repeats = 10;                  ///< Queries in a row; their mean counts.
+  int rounds = 3;                    ///< Turns of all methods; the least mean of each counts.
 
   bool Wants(const PairClass& each) const;
 };

@@ -82,7 +82,7 @@ void ContestPair::MoveTo(const PairTurn& turn) {
   for (const auto& peer : peers_) {
     if (peer != nullptr) peer->MoveTo(turn);
   }
-  // Warm starts know the pair's relative pose alone: set 2 is where set 1 would have seen it.
+  // Warm starts depend on the pair's relative pose alone: set 2 is where set 1 would have seen it.
   const Eigen::Matrix3d rotation = turn.pose_1.rotation * turn.last_pose_1.rotation.transpose();
   const dgd_test::PoseNumbers seen_2{
       rotation * turn.last_pose_2.rotation,
@@ -127,9 +127,8 @@ void AddContestOptions(dgd_demos::CommandLine& line, ContestOptions& options) {
     all_keys += keys.emplace_back(method.key);
   }
   line.AddChoices("--methods", "A,B", options.methods, keys, "Some of the methods: " + all_keys);
-  line.AddNumber("--rounds", "N", options.rounds, {1, kMost},
-                 "Turns of all methods, of which each one's least mean counts");
-  line.AddNumber("--repeats", "N", options.repeats, {1, kMost}, "Queries in a row, of which the mean is taken");
+  line.AddNumber("--rounds", "N", options.rounds, {1, kMost}, "Turns of all methods; the least mean of each counts");
+  line.AddNumber("--repeats", "N", options.repeats, {1, kMost}, "Queries in a row; their mean counts");
   line.AddPath("--csv", "FILE", options.csv, "Write the figures to this file");
 }
 

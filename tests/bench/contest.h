@@ -27,7 +27,7 @@ struct ContestMethod {
   double Tolerance() const;
 };
 
-/// Those that this process knows: of Bullet, the precision that it is linked with.
+/// The methods of this process: Bullet's are those of the precision that it is linked with.
 const std::vector<ContestMethod>& AllContestMethods();
 
 using ContestMethods = std::vector<const ContestMethod*>;
@@ -50,8 +50,8 @@ class ContestPair {
   void MoveTo(const PairTurn& turn);
 
   /// One sample a method, in their order; times are left out of those that do not take the pair.
-  /// @param rounds   Turns of all methods, of which the least mean counts.
-  /// @param repeats  Queries in a row, of which the mean is taken.
+  /// @param rounds   Turns of all methods; the least mean counts.
+  /// @param repeats  Queries in a row; their mean counts.
   std::vector<MethodSample> Measure(int rounds, int repeats) const;
 
   bool Takes(std::size_t method) const;

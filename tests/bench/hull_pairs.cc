@@ -60,7 +60,7 @@ PairTurn TurnOf(const HullPair& pair) {
   return {pose_of(pair.pose_1), pose_of(pair.last_pose_2), pose_of(pair.pose_1), pose_of(pair.pose_2)};
 }
 
-/// The pairs of a class come from a stream of their own: the same whatever classes and margins run beside it.
+/// The pairs of a class come from a stream of their own: the same regardless of the other classes and margins.
 std::vector<MethodSummary> MeasureClass(const Options& options, const ContestMethods& methods, std::size_t index,
                                         double margin) {
   const DistanceClass& distance_class = kDistanceClasses[index];

@@ -23,7 +23,7 @@ using Stored = std::conditional_t<std::is_trivially_destructible_v<Core>, Core, 
 /// Calls use(shared_ptr to the core, rounded set of the core), whose types depend on the numbers'.
 template <int L, class Use>
 auto WithStoredSet(dgd_test::SetNumbers numbers, const Use& use) {
-  // AnySet has no other polytope; large ones walk along their edges all the same.
+  // AnySet has no other polytope; large ones climb along their edges all the same.
   if (numbers.type == dgd_test::SetType::kMesh) numbers.type = dgd_test::SetType::kPolytope;
   return dgd_test::WithCore<double, L>(numbers, [&]<class Core>(Core made) {
     const auto core = std::make_shared<const Core>(std::move(made));

@@ -6,7 +6,7 @@
 namespace dgd_bench {
 namespace {
 
-/// What users write for two cores that they know the types of: the one pair for which AnySet would know less, since to
+/// The templates for two cores of known types, as users write them: the one pair for which AnySet knows less, since to
 /// it a differentiable support function is any custom core, without derivatives.
 using DsfSet = dgd::RoundedSet<dgd::CoreReference<dgd::Dsf<double>>>;
 

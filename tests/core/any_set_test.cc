@@ -1,4 +1,4 @@
-// Sets of any shape: the same answers as the templates give, whatever the two shapes and their order.
+// Sets of any shape: the same results as those of the templates, regardless of the two shapes and their order.
 #include "dgd/any_set.h"
 
 #include <gtest/gtest.h>
@@ -126,8 +126,8 @@ TEST_F(AnySetTest, WarmStartAndDistanceOfTheLastFrame_GoOn) {
   EXPECT_NEAR(followed.separation, 0.05, 1e-12);
 }
 
-// What a custom core's values are worth bounds what is asked for: else a query would not end.
-TEST_F(AnySetTest, CustomCore_IsAskedForNoMoreThanItsAccuracy) {
+// A query does not ask for more than the core's accuracy, or it would not end.
+TEST_F(AnySetTest, CustomCore_IsSolvedToItsAccuracy) {
   const dgd::Box<double> box({0.5, 0.5, 0.5});
   const auto in_float = [](const void* object, const Vector3& direction) -> dgd::SupportPoint<double> {
     const Vector3 point = static_cast<const dgd::Box<double>*>(object)->Support(direction).point;

@@ -29,8 +29,7 @@ template <class S>
                                        << reference.Dump();
 }
 
-/// Of RayIntersection: the walk (solver/portal_refinement.h) is for those who set no tight limit, and is not told step
-/// by step.
+/// Of RayIntersection: portal refinement is for queries without a tight limit, and has no bounds after each step.
 template <class S>
 void CheckEveryIterationLimit(int pairs) {
   Random random(TestSeed());
@@ -81,7 +80,7 @@ TEST(GrowthDistance, AnyRelativeTolerance_IsKept) {
       ASSERT_EQ(result.status, dgd::Status::kOptimal) << tolerance << "\n" << reference.Dump();
       ASSERT_LE(result.RelativeGap(), tolerance * 1.0001);
       ASSERT_TRUE(BoundsHold<double>(reference, pair, result));
-      // A walk that is not certain where it ends is followed by another query.
+      // A portal refinement that is not certain where it ends is followed by another search.
       ASSERT_TRUE(!is_observed || result.iterations >= iterations);
       iterations = result.iterations;
     }

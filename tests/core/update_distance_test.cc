@@ -112,7 +112,7 @@ void WalkCurved(Random& random, S radius, const Hull& hull, Count& count) {
 }
 
 template <class S>
-void WalkAllTypes(int rounds) {
+void PassAllTypes(int rounds) {
   Random random(TestSeed());
   Count count, curved;
   for (int i = 0; i < rounds && !::testing::Test::HasFailure(); ++i) {
@@ -152,8 +152,8 @@ void WalkAllTypes(int rounds) {
   EXPECT_LT(double(curved.iterations), 9.0 * curved.followed);
 }
 
-TEST(UpdateDistance, SetsThatPassEachOther_AsAnewInDouble) { WalkAllTypes<double>(TestCount(40, 4)); }
-TEST(UpdateDistance, SetsThatPassEachOther_AsAnewInFloat) { WalkAllTypes<float>(TestCount(20, 2)); }
+TEST(UpdateDistance, SetsThatPassEachOther_AsFromScratchInDouble) { PassAllTypes<double>(TestCount(40, 4)); }
+TEST(UpdateDistance, SetsThatPassEachOther_AsFromScratchInFloat) { PassAllTypes<float>(TestCount(20, 2)); }
 
 TEST(UpdateDistance, NoStateOrBadInput_IsRefused) {
   const dgd::RoundedSet box{dgd::Box<double>(Vector3d(1, 1, 1)), 0.1};

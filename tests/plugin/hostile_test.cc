@@ -260,10 +260,10 @@ TEST(FallbackLog, EachReasonIsToldOnceWithItsTypes) {
   ASSERT_EQ(Told().size(), 2U);
   EXPECT_EQ(Told()[0],
             "dgd_bullet: a pair of TRIANGLE and TRIANGLE was left to Bullet's GJK/EPA: both are flat and without a"
-            " margin. Told once; counted in Statistics::fallbacks_no_interior.");
+            " margin. Reported once; counted in Statistics::fallbacks_no_interior.");
   EXPECT_EQ(Told()[1],
             "dgd_bullet: a pair of CONVEX_HULL and SPHERE has no contacts: a pose or a shape is not finite, or a shape"
-            " has no points. Told once; counted in Statistics::fallbacks_invalid.");
+            " has no points. Reported once; counted in Statistics::fallbacks_invalid.");
 }
 
 TEST(FallbackLog, ByDefault_ALineOnTheErrorStream_AndNoneIfNobodyIsToBeTold) {

@@ -35,7 +35,7 @@ TEST_F(Counted, EachCall_IsCountedOnceByItsEnd) {
   pair.SetPoses(At(0, 0, 0), At(0, 0, 0.8));
   pair.Step();  // Cores overlap by 0.12.
   pair.SetPoses(At(0, 0, 0), At(0, 0, 0.999));
-  pair.Step();  // ... and are apart: solved, for the overlap's facet says nothing of that.
+  pair.Step();  // ... and are apart: solved, since the overlap's facet does not bound the distance.
   pair.Step();  // As before.
   const dgd_bullet::Statistics statistics = dispatching_.statistics();
   ASSERT_EQ(statistics.pairs.size(), 1U);

@@ -63,7 +63,7 @@ class Examination {
   }
 
   /// Its bounds are watched while they approach each other; but not in every second frame, nor at the start of every
-  /// second pair, as nobody watches an app's: polytopes' walk (solver/portal_refinement.h) answers only those.
+  /// second pair, as nobody watches an app's: portal refinement solves only those.
   dgd::Result<S, L> AskGrowthDistance(dgd::WarmStart<S, L>& warm_start) {
     if (trace_ != nullptr) TraceFrame();
     if ((case_.index + frame_) % 2 != 0) return pair_.GrowthDistance(settings_, &warm_start);

@@ -56,8 +56,8 @@ FallbackMessage Describe(Fallback fallback, int type_0, int type_1) {
   const Description& words = DescriptionOf(fallback);
   FallbackMessage message{};
   std::snprintf(message.data(), message.size(),
-                "dgd_bullet: a pair of %s and %s %s: %s. Told once; counted in Statistics::%s.", NameOrOther(type_0),
-                NameOrOther(type_1), words.outcome, words.reason, words.counter);
+                "dgd_bullet: a pair of %s and %s %s: %s. Reported once; counted in Statistics::%s.",
+                NameOrOther(type_0), NameOrOther(type_1), words.outcome, words.reason, words.counter);
   return message;
 }
 

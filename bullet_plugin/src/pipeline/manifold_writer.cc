@@ -258,7 +258,7 @@ bool NeedsBulletPath(const btManifoldResult& output) {
 }  // namespace
 
 ManifoldUpdate ManifoldUpdateOf(const Options& options, const btManifoldResult& output) {
-  // A shape without faces has one contact a step: as with Bullet's own narrowphase, a patch comes together in steps.
+  // A shape without faces has one contact a step: as with Bullet's own narrowphase, a patch is completed in steps.
   const bool has_patch = options.contact_patch && ShowsFaces(*output.getBody0Wrap()->getCollisionShape()) &&
                          ShowsFaces(*output.getBody1Wrap()->getCollisionShape());
   return {.drop_stale = has_patch,

@@ -1,10 +1,10 @@
-// A convex set of any shape, in double and in space, for which the library holds the solver compiled.
+// A convex set of any shape, in double and in space, for which the library has the solver compiled.
 //
 // growth_distance.h, signed_distance.h and time_of_impact.h are templates over the two sets: fast, and long to compile.
-// The functions here are the same, compiled once for all shapes, whose types are resolved in the support functions.
-// That costs a query 1 to 20 %, of boxes and spheres most: pairs through Bullet's dispatcher take 1 % longer than with
-// every pair of types compiled (tests/bench/README.md). A set of another scalar or dimension, or of a user's own core
-// with features, is the templates'.
+// The functions here do the same and are compiled once: the types of the shapes are resolved in the support functions.
+// Pairs in Bullet's dispatcher take 1 % longer by that than with every pair of types compiled (dispatcher_replay);
+// single queries 0 to 5 % for hulls and curved sets, 10 to 20 % for spheres, capsules and boxes. Sets of another scalar
+// or dimension, and cores of a user's own that name their features, are for the templates.
 #pragma once
 
 #include <utility>
@@ -34,13 +34,14 @@
 
 namespace dgd {
 
-/// Cores of vertices.
+/// Cores that are hulls of vertices.
 using PolytopeCore =
     OneOf<Point<double>, Segment<double>, Triangle<double>, Box<double>, CoreReference<Polytope<double>>>;
-/// Cores of smooth pieces.
+/// Cores whose boundary is made of smooth pieces.
 using CurvedCore = OneOf<Cylinder<double>, Cone<double>, Frustum<double>, Ellipsoid<double>>;
 
-/// core + ball(radius), of any shape. Hulls and custom cores are referred to, all others held by value.
+/// core + ball(radius), of any shape. It refers to the objects of hulls and custom cores, which must outlive it, and
+/// has its own copy of all others.
 class AnySet {
   using Variant = std::variant<RoundedSet<PolytopeCore>, RoundedSet<CurvedCore>, RoundedSet<CustomCore>>;
 
@@ -62,15 +63,15 @@ class AnySet {
     return std::visit(std::forward<Visitor>(visitor), set_);
   }
 
-  /// The core's radius, metres.
+  /// Radius of the ball that is added to the core, metres.
   double Radius() const {
     return Visit([](const auto& set) { return double(set.radius); });
   }
-  /// What the set is scaled about; own frame, metres.
+  /// The point that the set is scaled about; own frame, metres.
   Vector3<double> Center() const {
     return Visit([](const auto& set) -> Vector3<double> { return set.core.Center(); });
   }
-  /// Of the core, about the centre; metres.
+  /// Radius of a ball about the centre inside the core; metres, 0 for flat cores.
   double CoreInradius() const {
     return Visit([](const auto& set) { return double(set.core.Inradius()); });
   }
@@ -78,7 +79,8 @@ class AnySet {
   Vector3<double> CoreSupport(const Vector3<double>& direction) const {
     return Visit([&](const auto& set) { return set.core.Support(direction).point; });
   }
-  /// See CenteredCore; does nothing where the centre cannot be moved.
+  /// Moves the centre as near to a point as the core allows (CenteredCore); not at all for hulls and custom cores.
+  /// @param point  Own frame, metres.
   void MoveCenterNear(const Vector3<double>& point) {
     std::visit(
         [&]<class Core>(RoundedSet<Core>& set) {
@@ -93,7 +95,7 @@ class AnySet {
   }
 
   bool IsCustom() const { return std::holds_alternative<RoundedSet<CustomCore>>(set_); }
-  /// The set, if its core is one of vertices, or one of smooth pieces; else null.
+  /// The set, if its core is a PolytopeCore, or a CurvedCore; else null.
   const RoundedSet<PolytopeCore>* AsPolytope() const { return std::get_if<RoundedSet<PolytopeCore>>(&set_); }
   const RoundedSet<CurvedCore>* AsCurved() const { return std::get_if<RoundedSet<CurvedCore>>(&set_); }
 
@@ -101,7 +103,8 @@ class AnySet {
   Variant set_;
 };
 
-/// As GrowthDistance() of growth_distance.h. Of a custom core, the tolerance is raised to its accuracy.
+/// As GrowthDistance() of growth_distance.h. The tolerance of settings is raised to the accuracy of custom cores, here
+/// and below. None of these functions allocates or throws, but for what a custom core's function does.
 DGD_EXPORT Result<double> GrowthDistance(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
                                          const Pose<double>& pose_2, const Settings<double>& settings = {},
                                          WarmStart<double>* warm_start = nullptr);
@@ -128,7 +131,7 @@ DGD_EXPORT SignedDistanceResult<double> UpdateDistance(const AnySet& set_1, cons
 DGD_EXPORT SignedDistanceResult<double> UpdateOnReferenceFace(const AnySet& set_1, const Pose<double>& pose_1,
                                                               const AnySet& set_2, const Pose<double>& pose_2,
                                                               const Settings<double>& settings,
-                                                              double angular_tolerance, ReferenceSide holder,
+                                                              double angular_tolerance, ReferenceSide side,
                                                               WarmStart<double>& state, FacingFaces<double>& facing);
 
 /// As FindFacingFaces() of facing_faces.h.

@@ -15,7 +15,7 @@ namespace dgd {
 /// @param warm_start      In and out; nullptr for a cold start that remembers nothing.
 /// @param observer        Called with an Iterate after each iteration; not at all where none was needed: for coincident
 ///                        centres, and for sets that the last normal alone proves to be apart. Polytopes that are
-///                        observed take more time: the search of solver/portal_refinement.h has no bounds to tell.
+///                        observed take more time: portal refinement has no bounds after each iteration.
 /// Allocates nothing and does not throw. Alg. 3 of the paper.
 template <class Set1, class Set2, class Observer = const NoObserver>
 ResultOf<Set1> GrowthDistance(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,

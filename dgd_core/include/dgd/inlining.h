@@ -2,8 +2,8 @@
 #pragma once
 
 /// All that such a function calls is inlined into it. Only where DGD_FLATTEN_QUERIES is defined before the first header
-/// of the solver is included, as in the files of the library that a pair of sets is compiled in: queries take 0.55 to
-/// 0.95 of the time there, and of the compiler 1.2 times the time and twice the space (dgd_core/README.md).
+/// of the solver is included, as in the files of the library that a pair of sets is compiled in: queries take 0.79 to
+/// 0.97 of the instructions there, and of the compiler 1.2 times the time and twice the space (dgd_core/README.md).
 #ifdef DGD_FLATTEN_QUERIES
 #define DGD_FLATTEN [[gnu::flatten]]
 #else

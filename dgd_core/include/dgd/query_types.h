@@ -97,7 +97,7 @@ struct WarmStart {
   Vector<S, L> normal_1 = Vector<S, L>::Zero();  ///< Last normal, in set 1's frame, unit length; zero for none.
   /// Points of the Minkowski difference by the features of the two cores: the last basis of the inner approximation.
   std::array<FeatureId, L> features_1{}, features_2{};
-  std::int32_t size = 0;  ///< Points in the basis; 0 if the sets were apart by more than asked for.
+  std::int32_t size = 0;  ///< Points in the basis; 0 if the sets were separated by more than the limit.
 };
 static_assert(sizeof(WarmStart<double>) <= 128, "must fit into a Bullet algorithm object beside the rest");
 

@@ -49,7 +49,7 @@ template <class S>
 inline constexpr S kPlaneTolerance = 1024 * kEpsilon<S>;
 
 /// Whether such a growth distance brings no plane between the sets and does not show that they overlap either: they
-/// have no interior, or roundoff keeps the bounds apart. The signed distance tells then.
+/// have no interior, or roundoff keeps the bounds apart. The signed distance decides then.
 template <class S>
 bool IsUndecided(const Result<S>& growth) {
   return growth.status != Status::kInvalidInput && !(growth.separation > 0 || growth.upper_bound <= 1);

@@ -1,4 +1,4 @@
-// The four algorithms that the paper compares with (Sec. VI), beside ours and the paper's own, on a pair of sets.
+// The four algorithms that the paper compares with (Sec. VI), next to ours and the paper's own, on a pair of sets.
 #pragma once
 
 #include "bench/growth_pair.h"

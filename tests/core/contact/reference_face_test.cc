@@ -1,5 +1,5 @@
-// The distance from the face that holds a contact: the same answer as SignedDistance() gives anew, certified, and a
-// refusal where the face holds it no longer.
+// The distance from the face that holds a contact: the same answer as SignedDistance() gives from_scratch, certified,
+// and a refusal where the face holds it no longer.
 #include "dgd/contact/reference_face.h"
 
 #include <gtest/gtest.h>
@@ -42,19 +42,19 @@ template <class Set1, class Set2>
 Anew<typename Set1::Scalar> MeasureAnew(const Set1& set_1, const dgd::PoseOf<Set1>& pose_1, const Set2& set_2,
                                         const dgd::PoseOf<Set1>& pose_2) {
   using S = typename Set1::Scalar;
-  Anew<S> anew;
+  Anew<S> from_scratch;
   const AnyPair<S, 3> pair(Erase(set_1), pose_1, Erase(set_2), pose_2);
   dgd::WarmStart<S> warm_start;
   dgd::Result<S> growth = pair.GrowthDistance({}, &warm_start);
-  anew.result = pair.SignedDistance(growth, &warm_start, {}, &anew.state);
-  growth.normal = anew.result.normal;
-  growth.witness_1 = anew.result.witness_1;
-  growth.witness_2 = anew.result.witness_2;
-  if (anew.result.status == Status::kOptimal) {
-    anew.holder =
+  from_scratch.result = pair.SignedDistance(growth, &warm_start, {}, &from_scratch.state);
+  growth.normal = from_scratch.result.normal;
+  growth.witness_1 = from_scratch.result.witness_1;
+  growth.witness_2 = from_scratch.result.witness_2;
+  if (from_scratch.result.status == Status::kOptimal) {
+    from_scratch.holder =
         dgd::ReferenceSideOf(dgd::FindFacingFaces(set_1, pose_1, set_2, pose_2, growth, S(kAngularTolerance)));
   }
-  return anew;
+  return from_scratch;
 }
 
 /// Set 2 is put on set 1 as it falls, and shaken.
@@ -75,8 +75,9 @@ void Shake(Random& random, const Set1& set_1, const Set2& set_2, Count& count) {
   dgd::Pose<double> pose_1{random.Rotation(), random.InCube()}, pose_2{random.Rotation(), pose_1.translation};
   const Vector3d up = random.UnitVector();
   const auto place = [&](double separation) {
-    const auto anew = MeasureAnew(set_1, rounded(pose_1), set_2, rounded(pose_2));
-    pose_2.translation += (separation - double(anew.result.separation)) * anew.result.normal.template cast<double>();
+    const auto from_scratch = MeasureAnew(set_1, rounded(pose_1), set_2, rounded(pose_2));
+    pose_2.translation +=
+        (separation - double(from_scratch.result.separation)) * from_scratch.result.normal.template cast<double>();
   };
   pose_2.translation += 2 * up;
   for (int i = 0; i < 3; ++i) place(-0.5 * radius);
@@ -90,7 +91,7 @@ void Shake(Random& random, const Set1& set_1, const Set2& set_2, Count& count) {
     pose_2.rotation = Eigen::AngleAxisd(0.02, random.UnitVector()) * pose_2.rotation;
     pose_2.translation += 0.01 * random.InCube();
     const dgd::Pose<S> at_1 = rounded(pose_1), at_2 = rounded(pose_2);
-    const Anew<S> anew = MeasureAnew(set_1, at_1, set_2, at_2);
+    const Anew<S> from_scratch = MeasureAnew(set_1, at_1, set_2, at_2);
     dgd::WarmStart<S> state = last.state;
     dgd::FacingFaces<S> facing;
     const auto followed = dgd::UpdateOnReferenceFace(set_1, at_1, set_2, at_2, settings, S(kAngularTolerance),
@@ -100,8 +101,8 @@ void Shake(Random& random, const Set1& set_1, const Set2& set_2, Count& count) {
         ++count.followed;
         EXPECT_GT(double(followed.separation) + radius, 0);
         EXPECT_LE(double(followed.upper_bound), double(followed.separation) + tolerance);
-        if (anew.result.status == Status::kOptimal) {
-          EXPECT_NEAR(double(followed.separation), double(anew.result.separation), 2 * tolerance);
+        if (from_scratch.result.status == Status::kOptimal) {
+          EXPECT_NEAR(double(followed.separation), double(from_scratch.result.separation), 2 * tolerance);
         }
         const auto certificate = dgd::Certify(set_1, at_1, set_2, at_2, followed);
         EXPECT_TRUE(certificate.Holds(tolerance, std::sqrt(tolerance)))
@@ -124,9 +125,10 @@ void Shake(Random& random, const Set1& set_1, const Set2& set_2, Count& count) {
     if (followed.status == Status::kOptimal) {
       last.state = state;
     } else {
-      last = anew;
+      last = from_scratch;
     }
-    if (double(anew.result.separation) > kLimit || double(anew.result.separation) < -0.9 * radius) place(-0.5 * radius);
+    if (double(from_scratch.result.separation) > kLimit || double(from_scratch.result.separation) < -0.9 * radius)
+      place(-0.5 * radius);
   }
 }
 

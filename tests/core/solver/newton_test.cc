@@ -1,4 +1,4 @@
-// The walk along second-order steps: the answer to most queries of curved sets, and one in turns with RayIntersection
+// The search along second-order steps: the answer to most queries of curved sets, and one in turns with RayIntersection
 // where it gives up.
 #include "dgd/solver/newton.h"
 
@@ -40,8 +40,8 @@ dgd::RoundedSet<dgd::Segment<double>> RandomCapsule(Random& random) {
 }
 
 struct Shares {
-  double answered = 0;    ///< Of the queries, by the walk alone.
-  double iterations = 0;  ///< Of the walk, per query that it answers.
+  double answered = 0;    ///< Of the queries, by the search alone.
+  double iterations = 0;  ///< Of the search, per query that it answers.
 };
 
 /// Of random pairs: certified, and as cutting planes alone find them.
@@ -73,11 +73,11 @@ Shares CheckWalk(const Make1& make_1, const Make2& make_2) {
     (void)cuts.Solve(dgd::QueryMode::kDistance, nullptr, observer);
     EXPECT_LE(result.lower_bound, cuts.UpperBound() * (1 + 1e-12));
     EXPECT_LE(cuts.LowerBound(), result.upper_bound * (1 + 1e-12));
-    dgd::NewtonSearch<Set1, Set2> walk(difference, settings);
-    if (!walk.Solve(dgd::QueryMode::kDistance, difference.EllipsoidGuess(), nullptr, observer)) continue;
-    EXPECT_EQ(walk.UpperBound(), result.upper_bound);
+    dgd::NewtonSearch<Set1, Set2> search(difference, settings);
+    if (!search.Solve(dgd::QueryMode::kDistance, difference.EllipsoidGuess(), nullptr, observer)) continue;
+    EXPECT_EQ(search.UpperBound(), result.upper_bound);
     shares.answered += 1.0 / pairs;
-    shares.iterations += walk.Iterations();
+    shares.iterations += search.Iterations();
   }
   shares.iterations /= shares.answered * pairs;
   return shares;
@@ -126,7 +126,7 @@ TEST(NewtonSearch, StackedCylinders_MeetInTheirCaps) {
   }
 }
 
-/// Of which the walk leaves many.
+/// Of which the search leaves many.
 struct ConePair {
   dgd::RoundedSet<dgd::Cone<double>> set_1, set_2;
   Pose pose_1, pose_2;
@@ -137,24 +137,24 @@ struct ConePair {
         pose_1{random.Rotation(), random.InCube()},
         pose_2{random.Rotation(), pose_1.translation + random.Uniform(0.2, 5) * random.UnitVector()} {}
 
-  bool IsLeftByWalk() const {
+  bool IsLeftBySearch() const {
     using Set = dgd::RoundedSet<dgd::Cone<double>>;
     const dgd::Settings<double> settings;
     const dgd::MinkowskiDifference<Set, Set> difference(set_1, pose_1, set_2, pose_2);
-    dgd::NewtonSearch<Set, Set> walk(difference, settings);
+    dgd::NewtonSearch<Set, Set> search(difference, settings);
     const dgd::NoObserver observer;
-    return !walk.Solve(dgd::QueryMode::kDistance, difference.EllipsoidGuess(), nullptr, observer).has_value();
+    return !search.Solve(dgd::QueryMode::kDistance, difference.EllipsoidGuess(), nullptr, observer).has_value();
   }
 };
 
-// 26 iterations by measurement, six of them second-order steps.
+// 25 iterations by measurement, 34 at most, the search's own counted.
 TEST(NewtonSearch, WhatItLeaves_IsSolvedByCuttingPlanes) {
   Random random(TestSeed());
   int left = 0, longest = 0;
   double iterations = 0;
   for (int i = 0; i < TestCount(4000, 400); ++i) {
     const ConePair pair(random);
-    if (!pair.IsLeftByWalk()) continue;
+    if (!pair.IsLeftBySearch()) continue;
     ++left;
     const auto result = dgd::GrowthDistance(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2);
     ASSERT_EQ(result.status, dgd::Status::kOptimal);
@@ -174,14 +174,14 @@ TEST(NewtonSearch, WhatItLeaves_IsSolvedByCuttingPlanes) {
   std::printf("%d left, %.2f iterations, %d at most\n", left, iterations / left, longest);
   ASSERT_GT(left, 0);
   EXPECT_LT(iterations / left, 30);
-  EXPECT_LT(longest, 60);
+  EXPECT_LT(longest, 45);
 }
 
 TEST(NewtonSearch, WhatItLeaves_IsOneQueryToObserversAndLimits) {
   Random random(TestSeed());
   for (int left = 0; left < TestCount(40, 5);) {
     const ConePair pair(random);
-    if (!pair.IsLeftByWalk()) continue;
+    if (!pair.IsLeftBySearch()) continue;
     ++left;
     int iteration = 0;
     double lower = 0, upper = std::numeric_limits<double>::infinity();

@@ -1,5 +1,5 @@
-// The walk to the facet by which the ray leaves: the answer to most queries of polytopes, and RayIntersection's where
-// it is not certain.
+// The refinement to the facet by which the ray leaves: the answer to most queries of polytopes, and RayIntersection's
+// where it is not certain.
 #include "dgd/solver/portal_refinement.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ using Eigen::Vector3d;
 template <class Core>
 using SetOf = dgd::RoundedSet<dgd::CoreReference<Core>>;
 template <class Core>
-using WalkOf = dgd::PortalRefinement<SetOf<Core>, SetOf<Core>>;
+using RefinementOf = dgd::PortalRefinement<SetOf<Core>, SetOf<Core>>;
 using Hull = dgd::Polytope<double>;
 using HullSet = SetOf<Hull>;
 
@@ -65,14 +65,15 @@ void ExpectCertified(const MovingPair<Core>& pair, const dgd::Result<double>& re
   EXPECT_LE(certificate.separation_error, 1e-14);
 }
 
-/// The query of those who watch, which no walk answers.
+/// The query of those who watch, which no refinement answers.
 template <class Core>
 dgd::Result<double> ObservedGrowthDistance(const MovingPair<Core>& pair) {
   return dgd::GrowthDistance(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2, {}, nullptr,
                              [](const dgd::Iterate<double, 3>&) {});
 }
 
-/// @return the part of the queries that the walk from the last facet answers: certified, and as the observed ones.
+/// @return the part of the queries that the refinement from the last facet answers: certified, and as the observed
+/// ones.
 template <class Core>
 double ShareAnswered(int vertices, double radius, double step) {
   Random random(TestSeed());
@@ -82,15 +83,15 @@ double ShareAnswered(int vertices, double radius, double step) {
     MovingPair<Core> pair(random, core_1, core_2, radius);
     for (int frame = 0; frame < 10; ++frame) {
       pair.Move(random, step);
-      WalkOf<Core> walk(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2);
+      RefinementOf<Core> refinement(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2);
       dgd::Result<double> result;
       ++asked;
-      if (!walk.SolveWarm({}, pair.state, result)) {
+      if (!refinement.SolveWarm({}, pair.state, result)) {
         (void)dgd::GrowthDistance(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2, {}, &pair.state);
         continue;
       }
       ++answered;
-      EXPECT_EQ(result.iterations, walk.Iterations());
+      EXPECT_EQ(result.iterations, refinement.Iterations());
       ExpectCertified(pair, result);
       EXPECT_NEAR(result.upper_bound / ObservedGrowthDistance(pair).upper_bound, 1, 2 * dgd::kSqrtEpsilon<double>);
       EXPECT_NEAR((pair.pose_1.rotation * pair.state.normal_1 - result.normal).norm(), 0, 1e-14);
@@ -99,7 +100,7 @@ double ShareAnswered(int vertices, double radius, double step) {
   return double(answered) / asked;
 }
 
-TEST(PortalRefinement, HullsAfterASmallMotion_AreAnsweredByIt) {
+TEST(PortalRefinement, HullsAfterASmallMotion_AreSolvedByIt) {
   EXPECT_GT(ShareAnswered<Hull>(14, 0, 0.005), 0.9);
   EXPECT_GT(ShareAnswered<Hull>(14, 0, 0.1), 0.55);
 }
@@ -115,7 +116,7 @@ TEST(PortalRefinement, MeshesWhoseFacetsAreSmallerThanTheMotion_AreReachedByStep
 }
 
 /// @param most_infeasible  Metres.
-/// @return the part of the queries that the walk from the ball about the centre answers, as above.
+/// @return the part of the queries that the refinement from the ball about the centre answers, as above.
 template <class Core>
 double ShareAnsweredAnew(int least_vertices, int most_vertices, const Vector3d& radii, double most_infeasible,
                          double radius = 0) {
@@ -126,25 +127,25 @@ double ShareAnsweredAnew(int least_vertices, int most_vertices, const Vector3d& 
     const auto vertices = [&] { return least_vertices + random.Below(most_vertices - least_vertices + 1); };
     const Core core_1(OnEllipsoid(random, vertices(), radii)), core_2(OnEllipsoid(random, vertices(), radii));
     MovingPair<Core> pair(random, core_1, core_2, radius);
-    WalkOf<Core> walk(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2);
+    RefinementOf<Core> refinement(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2);
     dgd::Result<double> result;
     pair.state = {};
-    if (!walk.SolveCold({}, &pair.state, result)) continue;
+    if (!refinement.SolveCold({}, &pair.state, result)) continue;
     ++answered;
-    EXPECT_EQ(result.iterations, walk.Iterations());
+    EXPECT_EQ(result.iterations, refinement.Iterations());
     ExpectCertified(pair, result, most_infeasible);
     EXPECT_NEAR(result.upper_bound / ObservedGrowthDistance(pair).upper_bound, 1, 2 * dgd::kSqrtEpsilon<double>);
     // The next query goes on from there.
     EXPECT_EQ(pair.state.size, 3);
     EXPECT_NEAR((pair.pose_1.rotation * pair.state.normal_1 - result.normal).norm(), 0, 1e-14);
-    WalkOf<Core> next(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2);
+    RefinementOf<Core> next(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2);
     EXPECT_TRUE(next.SolveWarm({}, pair.state, result));
     EXPECT_EQ(next.Iterations(), 1);
   }
   return double(answered) / asked;
 }
 
-TEST(PortalRefinement, HullsAnew_AreAnsweredByIt) {
+TEST(PortalRefinement, HullsCold_AreSolvedByIt) {
   EXPECT_GT(ShareAnsweredAnew<Hull>(8, 20, {0.5, 0.4, 0.3}, 1e-14), 0.95);
   EXPECT_GT(ShareAnsweredAnew<dgd::Mesh<double>>(100, 1000, {0.5, 0.4, 0.3}, 1e-14), 0.95);
   EXPECT_GT(ShareAnsweredAnew<Hull>(8, 20, {0.5, 0.4, 0.3}, 1e-14, 0.04), 0.9);
@@ -157,10 +158,11 @@ TEST(PortalRefinement, HullsAnew_AreAnsweredByIt) {
 class PortalOfAPair : public testing::Test {
  protected:
   bool Solve(const dgd::Settings<double>& settings = {}) {
-    return WalkOf<Hull>(pair_.set_1, pair_.pose_1, pair_.set_2, pair_.pose_2).SolveWarm(settings, pair_.state, result_);
+    return RefinementOf<Hull>(pair_.set_1, pair_.pose_1, pair_.set_2, pair_.pose_2)
+        .SolveWarm(settings, pair_.state, result_);
   }
   bool SolveAnew(const dgd::Settings<double>& settings = {}) {
-    return WalkOf<Hull>(pair_.set_1, pair_.pose_1, pair_.set_2, pair_.pose_2)
+    return RefinementOf<Hull>(pair_.set_1, pair_.pose_1, pair_.set_2, pair_.pose_2)
         .SolveCold(settings, &pair_.state, result_);
   }
 
@@ -203,7 +205,7 @@ TEST_F(PortalOfAPair, ApartByMoreThanIsAsked_SaysSo) {
   EXPECT_EQ(result_.status, dgd::Status::kOptimal);
 }
 
-TEST_F(PortalOfAPair, AnewWithANegativeRadius_IsTheQuerys) {
+TEST_F(PortalOfAPair, ColdWithANegativeRadius_IsTheQuerys) {
   for (const double radius : {-0.01, std::numeric_limits<double>::quiet_NaN()}) {
     pair_.set_2.radius = radius;
     EXPECT_FALSE(SolveAnew());
@@ -220,7 +222,7 @@ TEST(PortalRefinement, RoundedRodsThatCross_LeaveByAnEdge) {
   pair.pose_2 = {Eigen::AngleAxisd(1, Vector3d::UnitZ()).toRotationMatrix(), {0.01, 0.02, 1.5}};
   dgd::Result<double> result;
   pair.state = {};
-  ASSERT_TRUE(WalkOf<Hull>(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2).SolveCold({}, &pair.state, result));
+  ASSERT_TRUE(RefinementOf<Hull>(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2).SolveCold({}, &pair.state, result));
   EXPECT_NEAR(result.upper_bound, 1.5 / 0.6, 1e-14);
   EXPECT_NEAR(result.normal.z(), 1, 1e-15);
   ExpectCertified(pair, result);
@@ -250,9 +252,9 @@ TEST_F(PortalOfAPair, TwiceTheSameCorner_IsNoFacet) {
 TEST_F(PortalOfAPair, CentersThatCoincide_AreTheQuerys) {
   const HullSet twin{core_1_};
   dgd::Result<double> result;
-  WalkOf<Hull> walk(twin, pair_.pose_1, twin, pair_.pose_1);
-  EXPECT_FALSE(walk.SolveWarm({}, pair_.state, result));
-  EXPECT_FALSE(walk.SolveCold({}, nullptr, result));
+  RefinementOf<Hull> refinement(twin, pair_.pose_1, twin, pair_.pose_1);
+  EXPECT_FALSE(refinement.SolveWarm({}, pair_.state, result));
+  EXPECT_FALSE(refinement.SolveCold({}, nullptr, result));
 }
 
 TEST_F(PortalOfAPair, NotANumber_IsTheQuerys) {

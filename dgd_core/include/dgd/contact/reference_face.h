@@ -23,10 +23,10 @@ namespace dgd {
 enum class ReferenceSide : std::uint8_t { kNone, kSet1, kSet2 };
 
 /// The same if the sets are named in the other order.
-constexpr ReferenceSide Swapped(ReferenceSide holder) {
-  return holder == ReferenceSide::kSet1   ? ReferenceSide::kSet2
-         : holder == ReferenceSide::kSet2 ? ReferenceSide::kSet1
-                                          : ReferenceSide::kNone;
+constexpr ReferenceSide Swapped(ReferenceSide side) {
+  return side == ReferenceSide::kSet1   ? ReferenceSide::kSet2
+         : side == ReferenceSide::kSet2 ? ReferenceSide::kSet1
+                                        : ReferenceSide::kNone;
 }
 
 /// @param facing  With its overlap, along the normal of the signed distance.
@@ -48,8 +48,8 @@ Vector3<S> TurnedArea(const Matrix3<S>& rotation, const SupportingFace<S>& face)
 /// @param settings           relative_tolerance is of the sets' inradii, for curved cores: polytopes end at roundoff
 ///                           error. separation_limit as UpdateDistance() has it.
 /// @param angular_tolerance  Of FacingFaces::FindOverlap().
-/// @param holder             ReferenceSideOf() the last contact, not kNone.
-/// @param state              In and out, as UpdateDistance() has it: its normal tells which face. Left as it was if the
+/// @param side             ReferenceSideOf() the last contact, not kNone.
+/// @param state              In and out, as UpdateDistance() has it: its normal names the face. Left as it was if the
 ///                           face does not tell.
 /// @param facing             Out: what the sets show each other along the normal, if the result is optimal.
 /// @return kOptimal: the sets are apart, or overlap by less than their radii, and no normal separates them by more,
@@ -59,21 +59,21 @@ Vector3<S> TurnedArea(const Matrix3<S>& rotation, const SupportingFace<S>& face)
 template <class Set1, class Set2>
 DGD_FLATTEN SignedDistanceResult<typename Set1::Scalar> UpdateOnReferenceFace(
     const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2, const PoseOf<Set1>& pose_2,
-    const Settings<typename Set1::Scalar>& settings, typename Set1::Scalar angular_tolerance, ReferenceSide holder,
+    const Settings<typename Set1::Scalar>& settings, typename Set1::Scalar angular_tolerance, ReferenceSide side,
     WarmStartOf<Set1>& state, FacingFaces<typename Set1::Scalar>& facing) {
   using S = typename Set1::Scalar;
   using Vector = Vector3<S>;
   SignedDistanceResult<S> result;
   result.status = Status::kStalled;
   facing.Clear();
-  DGD_ASSERT(holder != ReferenceSide::kNone && angular_tolerance > 0);
-  // Cores are asked about directions that are numbers.
+  DGD_ASSERT(side != ReferenceSide::kNone && angular_tolerance > 0);
+  // Support functions take finite directions.
   if (!std::isfinite(pose_1.rotation.sum() + pose_2.rotation.sum() + state.normal_1.sum())) return result;
-  // The face of the holder that looks where the last normal did, and its own normal: that has no roundoff of the steps
+  // The face on that side along the last normal, and the face's own normal: that has no roundoff of the steps
   // in between.
   const Vector last = pose_1.rotation * state.normal_1;
   Vector normal;
-  if (holder == ReferenceSide::kSet1) {
+  if (side == ReferenceSide::kSet1) {
     set_1.core.SupportFace(state.normal_1, facing.face_1);
     normal = TurnedArea(pose_1.rotation, facing.face_1);
   } else {
@@ -102,7 +102,7 @@ DGD_FLATTEN SignedDistanceResult<typename Set1::Scalar> UpdateOnReferenceFace(
   const bool is_separated = separation > settings.separation_limit;
   if (!is_separated) {
     facing.frame = PatchFrame<S>(normal, pose_1.translation);
-    if (holder == ReferenceSide::kSet1) {
+    if (side == ReferenceSide::kSet1) {
       MoveFace(set_1, pose_1, normal, facing.frame, facing.face_1);
       FindFace(set_2, pose_2, Vector(-normal), facing.frame, facing.face_2);
     } else {

@@ -77,9 +77,6 @@ class EpaPolytope {
 
   bool IsFull() const { return size_ == kMaxPoints; }
 
-  /// Whether roundoff has torn the surface, which then has more faces than there is room for: it bounds nothing.
-  bool IsTorn() const { return is_torn_; }
-
   /// The point of the surface that is nearest to a point on or outside of it.
   Feature NearestTo(const Vector3<S>& target) const {
     Feature nearest = points_[0];
@@ -103,7 +100,7 @@ class EpaPolytope {
   /// @return false, and nothing changes, if the point is not in front of any face by more than roundoff, or there is no
   ///         room for it.
   bool Add(const Feature& added) {
-    if (size_ == kMaxPoints || is_torn_) return false;
+    if (size_ == kMaxPoints) return false;
     const auto height = [&](const Face& face) { return face.normal.dot(added.point) - face.distance; };
     const auto seed =
         std::max_element(faces_.begin(), End(), [&](const Face& a, const Face& b) { return height(a) < height(b); });
@@ -135,16 +132,25 @@ class EpaPolytope {
       }
     }
     if (replaced == faces_.begin()) return false;
-    face_count_ = static_cast<std::size_t>(replaced - faces_.begin());
-    points_[size_] = added;
-    const auto apex = static_cast<std::uint8_t>(size_++);
-    DGD_ASSERT(size_ <= kMaxPoints && face_count_ <= kMaxFaces);
-    for (std::uint8_t from = 0; from < apex; ++from) {
-      for (std::uint64_t rest = edges[from]; rest != 0; rest &= rest - 1) {
-        const auto to = static_cast<std::uint8_t>(std::countr_zero(rest));
-        if ((edges[to] & Bit(from)) == 0) AddFace(from, to, apex);
+    const auto kept = static_cast<std::size_t>(replaced - faces_.begin());
+    // The edges between a replaced face and one that stays.
+    const auto for_each_rim_edge = [&](const auto& visit) {
+      for (std::uint8_t from = 0; from < size_; ++from) {
+        for (std::uint64_t rest = edges[from]; rest != 0; rest &= rest - 1) {
+          const auto to = static_cast<std::uint8_t>(std::countr_zero(rest));
+          if ((edges[to] & Bit(from)) == 0) visit(from, to);
+        }
       }
-    }
+    };
+    std::size_t rim_size = 0;
+    for_each_rim_edge([&](std::uint8_t, std::uint8_t) { ++rim_size; });
+    // A surface without holes has room for as many faces as its points can make; one that roundoff has torn may not.
+    if (kept + rim_size > kMaxFaces) return false;
+    face_count_ = kept;
+    points_[size_] = added;
+    const auto apex = static_cast<std::uint8_t>(size_);
+    for_each_rim_edge([&](std::uint8_t from, std::uint8_t to) { AddFace(from, to, apex); });
+    ++size_;
     return true;
   }
 
@@ -158,11 +164,8 @@ class EpaPolytope {
   static std::uint64_t Bit(std::uint8_t point) { return std::uint64_t(1) << point; }
 
   void AddFace(std::uint8_t a, std::uint8_t b, std::uint8_t c) {
-    DGD_ASSERT(a < size_ && b < size_ && c < size_);
-    if (face_count_ == kMaxFaces) {
-      is_torn_ = true;
-      return;
-    }
+    DGD_ASSERT(a <= size_ && b <= size_ && c <= size_ && size_ <= kMaxPoints);
+    DGD_ASSERT(face_count_ < kMaxFaces);
     Face& face = faces_[face_count_++];
     face.corners = {a, b, c};
     const Vector3<S>& origin = points_[a].point;
@@ -187,7 +190,6 @@ class EpaPolytope {
   S roundoff_, reach_;
   S widest_sliver_ = 0;  // That there ever was.
   std::size_t size_, face_count_ = 0;
-  bool is_torn_ = false;
   std::array<Feature, kMaxPoints> points_;
   std::array<Face, kMaxFaces> faces_;
 };

@@ -2,21 +2,20 @@
 // of the two positions, between the supporting planes that were met and an inner approximation.
 //
 //  * Convex radius. C = K + ball(R), K the difference of the cores: the signed distance of C is that of K less R, along
-//  the
-//    same normal. So all is done on K, and polytopes with margins end exactly.
+//    the same normal. So all is done on K, and polytopes with margins end exactly.
 //  * Start. The normal of the growth distance, and the basis of its inner approximation: for polytopes in contact face
 //    on face they are the answer already, and no support function is evaluated.
 //  * Apart. With the origin outside of K the problem is convex: GJK. The nearest point of a simplex gives the next
 //    direction, whose supporting plane bounds the distance from below.
 //  * Overlap. With the origin inside, every face of K that holds the origin's foot is a local minimum, and nothing but
-//    an inner approximation all around tells the least of them: an expanding polytope. Its nearest face bounds the
-//    depth from below, supporting planes from above; the best of these, from the growth distance on, says which faces
-//    need no look.
+//    an inner approximation all around finds the least of them: an expanding polytope. Its nearest face bounds the
+//    depth from below, supporting planes from above; faces behind the best of these, which begins with the growth
+//    distance's, are not looked at.
 //  * Frames. While cores stay apart, the last normal is where the next search starts: no growth distance is needed in
 //    between. Of polytopes, the last nearest simplex is (warm_gjk.h).
 //  * Curves. The inner approximation of a curved set alone converges linearly. So there are Newton's steps in between,
 //    as long as they gain: on all pieces that the simplex is on (newton_kink_step.h), or on the one that a plane met
-//    (normal_step.h). A deep overlap may ask for more points than the expanding polytope has room for: then it is begun
+//    (newton_step.h). A deep overlap may ask for more points than the expanding polytope has room for: then it is begun
 //    from scratch, at a smaller scale.
 #pragma once
 
@@ -33,6 +32,7 @@
 #include "dgd/distance/gjk_simplex.h"
 #include "dgd/distance/newton_kink_step.h"
 #include "dgd/distance/newton_step.h"
+#include "dgd/distance/plane_search.h"
 #include "dgd/inlining.h"
 #include "dgd/query_types.h"
 #include "dgd/solver/minkowski_difference.h"
@@ -41,17 +41,18 @@
 namespace dgd {
 
 template <class Set1, class Set2>
-class SignedDistanceSearch {
- public:
-  using Difference = MinkowskiDifference<Set1, Set2>;
-  using S = typename Difference::S;
-  using Point = Vector3<S>;
-  using Feature = DifferencePoint<S, 3>;
-  static_assert(Difference::L == 3, "the signed distance is for sets in space");
+class SignedDistanceSearch : private distance_internal::PlaneSearch<Set1, Set2> {
+  using Planes = distance_internal::PlaneSearch<Set1, Set2>;
 
-  SignedDistanceSearch(const Set1& set_1, const Pose<S>& pose_1, const Set2& set_2, const Pose<S>& pose_2,
-                       const Settings<S>& settings)
-      : difference_(set_1, pose_1, set_2, pose_2), origin_(0, 0, difference_.CenterDistance()), settings_(settings) {}
+ public:
+  using Planes::Iterations;
+  using Planes::Normal;
+  using Planes::Planes;
+  using Planes::Separation;
+  using typename Planes::Difference;
+  using typename Planes::Feature;
+  using typename Planes::Point;
+  using typename Planes::S;
 
   /// @param growth      What is known: a normal and the separation along it. Without a status that says so, only a
   ///                    direction.
@@ -89,21 +90,26 @@ class SignedDistanceSearch {
     if (status == Status::kSeparated) warm_start.size = 0;
   }
 
-  int Iterations() const { return iterations_; }
-  Point Normal() const { return difference_.DirectionToWorld(best_.normal); }
-  S Separation() const { return -best_.height - difference_.ConvexRadius(); }
   S UpperBound() const { return std::max(nearest_ + SupportError(), -best_.height) - difference_.ConvexRadius(); }
   Point Witness1() const { return difference_.World1(foot_.on_1, best_.normal); }
   Point Witness2() const { return difference_.World2(foot_.on_1 - foot_.point - origin_, best_.normal); }
 
  private:
-  /// A supporting plane of K.
-  struct Plane {
-    Point normal;
-    S height = std::numeric_limits<S>::infinity();  ///< Over the origin; metres.
-    Feature support;                                ///< A point on it, if it was met by Cut().
-    bool has_support = false;
-  };
+  using Planes::best_;
+  using Planes::Cut;
+  using Planes::difference_;
+  using Planes::is_news_;
+  using Planes::is_stationary_;
+  using Planes::IsExhausted;
+  using Planes::origin_;
+  using Planes::RoundoffBound;
+  using Planes::settings_;
+  using Planes::size_;
+  using Planes::SupportError;
+  using Planes::TangentsAt;
+  using Planes::ToDistanceOrigin;
+  using Planes::Tolerance;
+  using typename Planes::Tangents;
 
   static bool IsCertain(Status status) {
     return status == Status::kOptimal || status == Status::kStalled || status == Status::kIterationLimit;
@@ -121,53 +127,11 @@ class SignedDistanceSearch {
     }
   }
 
-  /// A point of K about the origin of the two positions, instead of the centres.
-  Feature ToDistanceOrigin(Feature point) {
-    size_ = std::max(size_, point.point.cwiseAbs().maxCoeff());
-    point.point -= origin_;
-    return point;
-  }
-
-  /// How far points of K may be off, or what is left of them beside R, metres.
-  S RoundoffBound() const {
-    return kUnits * kEpsilon<S> * std::max({size_, difference_.CenterDistance(), difference_.ConvexRadius()});
-  }
-  /// ... where the same vertex met twice may not be the same point.
-  S SupportError() const { return std::max(RoundoffBound(), difference_.Accuracy() * size_); }
-  /// Of an optimal result; polytopes end at roundoff.
-  S Tolerance() const {
-    return Difference::kIsPolytope ? RoundoffBound() : std::max(RoundoffBound(), settings_.relative_tolerance * size_);
-  }
   bool IsOptimal() const { return nearest_ + best_.height <= Tolerance(); }
   /// Apart, the points are off by the root of the gap: for their sake more is asked for than the tolerance.
   bool HasGoodPoints() const { return nearest_ + best_.height <= std::max(RoundoffBound(), kForPoints * Tolerance()); }
   /// With the origin inside K: whether no normal elsewhere is much better.
   bool IsBestElsewhere() const { return best_.height + nearest_ <= kElsewhere * best_.height; }
-  bool IsExhausted() const { return iterations_ >= settings_.max_iterations; }
-
-  /// Not inlined: it is called from many places.
-  DGD_NOINLINE Feature Cut(const Point& normal) {
-    DGD_ASSERT(IsUnitOrNan(normal));
-    ++iterations_;
-    const Feature support =
-        ToDistanceOrigin(difference_.Support(normal, normal, best_.support.feature_1, best_.support.feature_2));
-    const S height = normal.dot(support.point);
-    if (height < best_.height) {
-      best_ = {normal, height, support, true};
-      is_news_ = true;
-      is_stationary_ = false;
-    }
-    return support;
-  }
-
-  using Tangents = Eigen::Matrix<S, 2, 3>;
-  static Tangents TangentsAt(const Point& normal) {
-    DGD_ASSERT(IsUnitOrNan(normal));
-    const Matrix3<S> frame = FrameAlong<S>(normal);
-    Tangents tangents;
-    tangents << frame.col(0).transpose(), frame.col(1).transpose();
-    return tangents;
-  }
 
   /// Newton's step from the simplex's normal on all pieces that the simplex is on, if the last plane was the best; and
   /// the simplex goes with them if that brings it nearer. Else the simplex's normal.
@@ -199,7 +163,7 @@ class SignedDistanceSearch {
     for (std::size_t i = 0; i < simplex_.Size(); ++i) {
       const Feature& corner = simplex_[i];
       std::size_t same = 0;
-      while (same < size && !IsSamePiece(pieces.points[same], corner)) ++same;
+      while (same < size && !pieces.points[same].HasFeaturesOf(corner)) ++same;
       if (same == size) {
         const auto piece = difference_.AlongTangents(corner.feature_1, corner.feature_2, normal, tangents);
         pieces.points[same] = ToDistanceOrigin(piece.support);
@@ -221,10 +185,6 @@ class SignedDistanceSearch {
     const GjkSimplex<S> simplex(moved, pieces.models.size);
     if (simplex.Nearest().squaredNorm() < simplex_.Nearest().squaredNorm()) simplex_ = simplex;
     nearest_ = simplex_.Nearest().norm();
-  }
-
-  static bool IsSamePiece(const Feature& a, const Feature& b) {
-    return a.feature_1 == b.feature_1 && a.feature_2 == b.feature_2;
   }
 
   /// Newton's step from a plane that is the best since the last one, else the inner approximation's normal.
@@ -317,7 +277,6 @@ class SignedDistanceSearch {
     const auto finish = [&](Status status) { return Finish(status, polytope.NearestTo(best_.height * best_.normal)); };
     for (;;) {
       const auto& face = polytope.Nearest();
-      if (polytope.IsTorn()) return finish(Status::kStalled);
       nearest_ = std::min(nearest_, -polytope.Inradius());
       if (IsOptimal()) return finish(Status::kOptimal);
       if (is_stationary_ && IsBestElsewhere()) return finish(Status::kOptimal);
@@ -360,7 +319,7 @@ class SignedDistanceSearch {
   enum class Nearby {
     kClosed,     ///< No normal nearby is better.
     kFull,       ///< Once more, nearer.
-    kTooNarrow,  ///< Roundoff tells the points no longer apart, or the best normal is beyond them.
+    kTooNarrow,  ///< The points differ by roundoff alone, or the best normal is beyond them.
     kExhausted,  ///< Of evaluations.
   };
 
@@ -411,30 +370,20 @@ class SignedDistanceSearch {
     return IsOptimal() ? Status::kOptimal : status;
   }
 
-  /// The roundoff of a point of K, in last digits of its largest coordinate.
-  static constexpr S kUnits = 8;
   /// What is asked for beyond the tolerance: two digits of the points.
   static constexpr S kForPoints = S(1e-4);
-  /// A tetrahedron as flat as so many units of roundoff has faces that know where they look.
+  /// A tetrahedron that is thicker than so many units of roundoff has faces whose normals keep some digits.
   static constexpr S kFlat = 1024;
   /// Of a triangle about the best plane: about 30 degrees.
   static constexpr S kWidest = S(0.5);
   /// Of smooth sets: by how much of the depth a normal elsewhere may be better for a local minimum to be the answer.
   static constexpr S kElsewhere = S(0.01);
 
-  const Difference difference_;
-  const Point origin_;
-  S size_ = 0;  // Largest coordinate of a point of K about the centres, metres.
-  const Settings<S>& settings_;
   GjkSimplex<S> simplex_;
-  Plane best_;
   S nearest_ = std::numeric_limits<S>::infinity();  // Signed distance of K's inner approximation, metres.
   Feature foot_;                                    // The witness points' difference, without radii.
   Descent<S> descent_;
-  int iterations_ = 0;
-  bool is_apart_ = false;       // By SolveApart(): ends where the origin turns out to be inside of K.
-  bool is_news_ = false;        // No Newton's step was taken from the best plane yet.
-  bool is_stationary_ = false;  // The best plane's normal is the best nearby.
+  bool is_apart_ = false;  // By SolveApart(): ends where the origin turns out to be inside of K.
 };
 
 }  // namespace dgd

@@ -1,5 +1,7 @@
-// A core behind a function pointer: for shapes that only their owner can evaluate, and for whatever meets them.
+// A core behind a function pointer: for shapes that only their owner can evaluate, and for their partners.
 #pragma once
+
+#include <concepts>
 
 #include "dgd/contact/supporting_face.h"
 #include "dgd/convex_set.h"

@@ -1,7 +1,8 @@
-// A core that is one of several types, told apart at run time: what is compiled for it serves all of them.
+// A core of one of several types, which are resolved at run time: what is compiled for it serves all of them.
 #pragma once
 
 #include <concepts>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -11,9 +12,9 @@
 
 namespace dgd {
 
-/// Fulfils each concept of convex_set.h that all of its types fulfil. Those that only make queries faster are fulfilled
-/// if one type does, and the others answer that they do not know.
-/// @tparam Cores  Two or more, each of them once; of the same scalar and dimension.
+/// Fulfils each concept of convex_set.h that all of its types fulfil. A concept that only makes queries faster is
+/// fulfilled if one type fulfils it, and the functions return that nothing is known for the others.
+/// @tparam Cores  Each type once; all of the same scalar and dimension.
 template <ConvexCore... Cores>
 class OneOf {
   using Variant = std::variant<Cores...>;
@@ -30,7 +31,7 @@ class OneOf {
   template <class Core>
   requires kHas<Core> OneOf(const Core& core) : core_(core), center_(core.Center()), inradius_(core.Inradius()) {}
 
-  /// Calls visitor(core) with the core as what it is.
+  /// Calls visitor(core) with the core as the type that it is.
   template <class Visitor>
   decltype(auto) Visit(Visitor&& visitor) const {
     return std::visit(std::forward<Visitor>(visitor), core_);
@@ -119,7 +120,7 @@ class OneOf {
 
  private:
   Variant core_;
-  // Of the core: queries ask for these more than for support points.
+  // The core's own: queries read them more often than support points.
   Point center_;
   Scalar inradius_;
 };

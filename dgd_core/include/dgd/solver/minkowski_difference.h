@@ -26,6 +26,10 @@ struct DifferencePoint {
   Vector<S, L> on_1 = Vector<S, L>::Zero();
   FeatureId feature_1 = kNoFeature;
   FeatureId feature_2 = kNoFeature;
+
+  bool HasFeaturesOf(const DifferencePoint& other) const {
+    return feature_1 == other.feature_1 && feature_2 == other.feature_2;
+  }
 };
 
 /// A support point of one pair of features, and how it moves across the ray with the direction.

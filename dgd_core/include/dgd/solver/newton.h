@@ -25,6 +25,7 @@
 #include "dgd/query_types.h"
 #include "dgd/solver/flat_face.h"
 #include "dgd/solver/minkowski_difference.h"
+#include "dgd/solver/newton_bounds.h"
 #include "dgd/solver/newton_step.h"
 #include "dgd/solver/query_mode.h"
 #include "dgd/solver/tolerances.h"
@@ -32,29 +33,34 @@
 namespace dgd {
 
 template <class Set1, class Set2>
-class NewtonSearch {
+class NewtonSearch : private solver_internal::NewtonBounds<MinkowskiDifference<Set1, Set2>> {
+  using Bounds = solver_internal::NewtonBounds<MinkowskiDifference<Set1, Set2>>;
+
  public:
-  using Difference = MinkowskiDifference<Set1, Set2>;
-  using S = typename Difference::S;
-  static constexpr int L = Difference::L;
-  using Point = Vector<S, L>;
+  using Bounds::Bounds;
+  using Bounds::L;
+  using Bounds::LowerBound;
+  using Bounds::Normal;
+  using Bounds::NormalInFrame;
+  using Bounds::PointBetween;
+  using Bounds::Separation;
+  using Bounds::UpperBound;
+  using Bounds::Witness1;
+  using Bounds::Witness2;
+  using typename Bounds::Difference;
+  using typename Bounds::Point;
+  using typename Bounds::S;
   static_assert(Difference::kIsSmooth);
 
   /// Evaluations of the support functions at most; what takes more has met pieces that do not fit the model.
   static constexpr int kMostIterations = 12;
-
-  NewtonSearch(const Difference& difference, const Settings<S>& settings)
-      : difference_(difference),
-        settings_(settings),
-        inner_(difference.Inradius()),
-        inner_on_1_(difference.Inradius1() * Point::Unit(L - 1)) {}
 
   /// @param start       The first normal: ray frame, upwards.
   /// @param warm_start  Names pieces to begin with.
   /// @param observer    Called with an Iterate after each iteration.
   /// @return how the query ended; nothing if that is RayIntersection's to find out, best from Normal() on.
   template <class Observer>
-  DGD_FLATTEN std::optional<Status> Solve(QueryMode question, const Point& start, const WarmStart<S, L>* warm_start,
+  DGD_FLATTEN std::optional<Status> Solve(QueryMode mode, const Point& start, const WarmStart<S, L>* warm_start,
                                           Observer& observer) {
     if (warm_start != nullptr) RecallPieces(*warm_start);
     // In these coordinates steeper ones are far from all others.
@@ -62,39 +68,19 @@ class NewtonSearch {
     for (;;) {
       const bool has_cut = Cut(direction);
       if (iterations_ == 1 && !difference_.HasCertainInterior(highest_.support)) return std::nullopt;
-      std::optional<Status> verdict = Verdict(question);
+      std::optional<Status> verdict = Verdict(mode);
       const bool has_step = has_cut && !verdict && FindStep(direction);
       // Which of several pieces bound the ray is known with the step.
-      if (has_step && size_ > 1) verdict = Verdict(question);
+      if (has_step && size_ > 1) verdict = Verdict(mode);
       Report(observer);
-      if (has_cut && !verdict && (!has_step || overshoots_)) verdict = TryFaces(question, observer);
+      if (has_cut && !verdict && (!has_step || overshoots_)) verdict = TryFaces(mode, observer);
       if (verdict) return verdict;
       if (iterations_ >= settings_.max_iterations) return Status::kIterationLimit;
-      if (!has_step || iterations_ >= kMostIterations || IsStuck()) return std::nullopt;
-      RememberGap();
+      if (!has_step || iterations_ >= kMostIterations) return std::nullopt;
     }
   }
 
   int Iterations() const { return iterations_; }
-  /// At most the upper one, also where roundoff puts the two heights in the wrong order.
-  S LowerBound() const { return difference_.CenterDistance() / std::max(outer_, inner_); }
-  S UpperBound() const { return difference_.CenterDistance() / inner_; }
-  /// Of the lowest supporting plane so far; ray frame, unit length.
-  Point NormalInFrame() const { return outer_direction_.normalized(); }
-  /// World.
-  Point Normal() const { return difference_.DirectionToWorld(NormalInFrame()); }
-  /// Distance of the supporting planes along the normal, metres.
-  S Separation() const { return (difference_.CenterDistance() - outer_) / outer_direction_.norm(); }
-  Point Witness1() const { return difference_.Center1() + difference_.DirectionToWorld(inner_on_1_); }
-  Point Witness2() const {
-    // They are a multiple of the ray apart.
-    return difference_.Center2() + difference_.DirectionToWorld(inner_on_1_ - inner_ * Point::Unit(L - 1));
-  }
-  /// A point half way between the supporting planes along the normal.
-  Point PointBetween() const {
-    return difference_.Center1() + difference_.DirectionToWorld(outer_on_1_) + Separation() / 2 * Normal();
-  }
-
   /// A pair that is apart remembers its normal only, and where to look first.
   void Remember(Status status, WarmStart<S, L>& warm_start) const {
     warm_start.normal_1 = difference_.NormalOfSet1(outer_direction_);
@@ -112,6 +98,14 @@ class NewtonSearch {
   }
 
  private:
+  using Bounds::difference_;
+  using Bounds::inner_;
+  using Bounds::LowerOuter;
+  using Bounds::outer_;
+  using Bounds::outer_direction_;
+  using Bounds::RaiseInner;
+  using Bounds::settings_;
+  using Bounds::Verdict;
   using Feature = typename Difference::Feature;
   using Curved = CurvedDifferencePoint<S, L>;
   using Model = NewtonStepModel<S, L>;
@@ -131,14 +125,11 @@ class NewtonSearch {
   /// What roundoff may take from a height near the minimum, where steps still bring the points nearer to the ray.
   static constexpr S kHeightSlack = 4 * kEpsilon<S>;
 
-  static bool AreOfSameFeatures(const Feature& a, const Feature& b) {
-    return a.feature_1 == b.feature_1 && a.feature_2 == b.feature_2;
-  }
   /// Null if there is none.
   Piece* FindPiece(const Feature& features, bool is_fixed) {
     const auto end = pieces_.begin() + size_;
     const auto found = std::find_if(pieces_.begin(), end, [&](const Piece& piece) {
-      return piece.is_fixed == is_fixed && AreOfSameFeatures(piece.at.support, features);
+      return piece.is_fixed == is_fixed && piece.at.support.HasFeaturesOf(features);
     });
     return found == end ? nullptr : &*found;
   }
@@ -179,7 +170,7 @@ class NewtonSearch {
   }
 
   void MoveTo(const Point& direction, S height) {
-    const bool is_same = size_ > 0 && AreOfSameFeatures(pieces_[0].at.support, highest_.support);
+    const bool is_same = size_ > 0 && pieces_[0].at.support.HasFeaturesOf(highest_.support);
     damping_ = is_same ? damping_ / kGrowth : kDamping;
     direction_ = direction;
     LowerOuter(direction, height, highest_.support.on_1);
@@ -188,7 +179,7 @@ class NewtonSearch {
     int kept = 0;
     for (int i = 0; i < size_; ++i) {
       const Piece& piece = pieces_[static_cast<std::size_t>(i)];
-      const bool is_highest = !piece.is_fixed && AreOfSameFeatures(piece.at.support, highest_.support);
+      const bool is_highest = !piece.is_fixed && piece.at.support.HasFeaturesOf(highest_.support);
       if (!piece.is_active || is_highest || kept == kMaxPieces - 1) continue;
       const Feature& features = piece.at.support;
       const Curved at =
@@ -203,18 +194,10 @@ class NewtonSearch {
     if (size_ == 1) RaiseInner(highest_.support.point, highest_.support.on_1);
   }
 
-  void LowerOuter(const Point& direction, S height, const Point& on_1) {
-    if (!(height < outer_)) return;
-    outer_ = height;
-    outer_direction_ = direction;
-    outer_on_1_ = on_1;
-  }
-
   /// What a step that went too far has met: a new piece, or of one that takes part already, its plane there.
   /// @return false if there is no place for it.
   bool AddPiece() {
     overshoots_ = FindPiece(highest_.support, false) != nullptr;
-    has_met_pieces_ |= !overshoots_;
     Piece* place = overshoots_ ? FindPiece(highest_.support, true) : nullptr;
     if (place == nullptr) {
       if (size_ == kMaxPieces) DropIdlePieces();
@@ -236,19 +219,6 @@ class NewtonSearch {
     size_ = static_cast<int>(std::remove_if(pieces_.begin(), end, is_idle) - pieces_.begin());
   }
 
-  /// Whether the pieces are such that the last two steps have hardly helped. Of two cones, one pair in twelve is left
-  /// by it, and takes 16 iterations in all, 44 at most; without it one in forty, with 21 and 50. Sets of one piece each
-  /// would take longer.
-  bool IsStuck() const {
-    constexpr int kPatience = 5;
-    constexpr S kHelp = S(0.5);
-    return has_met_pieces_ && iterations_ >= kPatience && outer_ - inner_ > kHelp * gap_before_last_;
-  }
-  void RememberGap() {
-    gap_before_last_ = last_gap_;
-    last_gap_ = outer_ - inner_;
-  }
-
   /// @param direction  Out: the next one to cut along.
   bool FindStep(Point& direction) {
     Model model(outer_, damping_);
@@ -268,8 +238,7 @@ class NewtonSearch {
   }
 
   /// As far as a lower plane may be: C's is not below that of the ball about the origin in C, which meets the ray at
-  /// the inradius times |(u, 1)|. Without it, a first step of 35 was seen, for a cone
-  /// and a box.
+  /// the inradius times |(u, 1)|. Without it, a first step of 35 was seen, for a cone and a box.
   Across WithinReach(const Across& step) const {
     constexpr S kPart = S(0.9);  // All the way only a ball has a plane as low.
     const Across from = direction_.template head<L - 1>();
@@ -282,7 +251,7 @@ class NewtonSearch {
 
   /// Where a step fails, or overshoots the pieces that it is for, a flat face may be between. Each is tried once.
   template <class Observer>
-  std::optional<Status> TryFaces([[maybe_unused]] QueryMode question, [[maybe_unused]] Observer& observer) {
+  std::optional<Status> TryFaces([[maybe_unused]] QueryMode mode, [[maybe_unused]] Observer& observer) {
     if constexpr (Difference::kHasFaces) {
       const Feature features = highest_.support;
       const std::array<Point, 2> normals = {difference_.Face1(features.feature_1).normal,
@@ -294,7 +263,7 @@ class NewtonSearch {
         tried_faces_[i] |= FaceBit(faces[i]);
         const bool is_left = LeavesByFace(normals[i]);
         Report(observer);
-        if (is_left) return Verdict(question);
+        if (is_left) return Verdict(mode);
       }
     }
     return std::nullopt;
@@ -355,35 +324,6 @@ class NewtonSearch {
     RaiseInner(point, on_1);
   }
 
-  /// A point of C beside the ray, and the ball of C about the origin beyond it, hold the ray up to a height between.
-  void RaiseInner(const Point& point, const Point& on_1) {
-    DGD_ASSERT(difference_.Inradius() > 0);
-    const S inradius = difference_.Inradius();
-    const S distance = point.template head<L - 1>().norm();
-    const S weight = inradius / (inradius + distance), height = weight * point[L - 1];
-    if (!(height > inner_)) return;
-    inner_ = height;
-    // The ball's point is -inradius / distance times what is across the ray; its weight is distance / inradius times
-    // the point's.
-    inner_on_1_ = on_1;
-    inner_on_1_.template head<L - 1>() -= difference_.Inradius1() / inradius * point.template head<L - 1>();
-    inner_on_1_ *= weight;
-  }
-
-  std::optional<Status> Verdict(QueryMode question) const {
-    const S length = difference_.CenterDistance();
-    if (outer_ < length && Separation() > settings_.separation_limit) return Status::kSeparated;
-    const bool has_converged = outer_ <= inner_ * (1 + settings_.relative_tolerance);
-    if (question == QueryMode::kCollision) {
-      if (inner_ >= length) return Status::kColliding;
-      if (outer_ < length) return Status::kSeparated;
-      if (has_converged) return Status::kTouching;
-    } else if (has_converged) {
-      return Status::kOptimal;
-    }
-    return std::nullopt;
-  }
-
   template <class Observer>
   void Report(Observer& observer) const {
     if constexpr (!std::is_same_v<Observer, const NoObserver>) {
@@ -391,18 +331,9 @@ class NewtonSearch {
     }
   }
 
-  const Difference& difference_;
-  const Settings<S>& settings_;
   int iterations_ = 0;
-  S outer_ = std::numeric_limits<S>::infinity();  // Height of the lowest supporting plane so far; metres.
-  Point outer_direction_ = Point::Unit(L - 1);    // Its normal, scaled to height 1.
-  Point outer_on_1_ = Point::Zero();              // Of set 1, on its plane.
-  S inner_;                                       // Height up to which C certainly holds the ray; metres.
-  Point inner_on_1_;                              // Of set 1, for the ray's point there.
-  Point direction_ = Point::Unit(L - 1);          // That the pieces are at: of about the lowest plane.
-  Curved highest_;                                // Along the last direction.
-  S last_gap_ = std::numeric_limits<S>::infinity(), gap_before_last_ = last_gap_;  // Of the heights, metres.
-  bool has_met_pieces_ = false;           // Several features are the highest nearby.
+  Point direction_ = Point::Unit(L - 1);  // That the pieces are at: of about the lowest plane.
+  Curved highest_;                        // Along the last direction.
   bool overshoots_ = false;               // The last step was too long for its pieces.
   std::array<Piece, kMaxPieces> pieces_;  // The highest along direction_ first.
   int size_ = 0;

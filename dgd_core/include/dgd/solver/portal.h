@@ -71,9 +71,9 @@ struct Portal {
       const auto turn = [&](std::size_t i) { return across.dot(corners_[i].point + shift_); };
       if (RefinePortal(added, turn(0), turn(1), turn(2))) return true;
       FindPlane();
-      const int beside = FindExitEdge();
-      if (beside < 0) return false;
-      Replace(static_cast<std::size_t>(beside), added);
+      const int exit_edge = FindExitEdge();
+      if (exit_edge < 0) return false;
+      Replace(static_cast<std::size_t>(exit_edge), added);
       return true;
     } else {
       const Point across = ray_.cross(added.point);

@@ -1,8 +1,8 @@
 // How portal refinement begins where nothing is known of a pair: three corners that the ray passes between, far out.
 //
 // In the ball about the centre that is inside the cores' difference (Alg. 1), and then from three directions about the
-// ray. Of two of them, and of the ball, a check may be told enough. Of large hulls, no support function is asked while
-// points that are looked up (GuessingCore) are above the triangle.
+// ray. Two of them and the ball may already decide a collision check. For large hulls no support function is evaluated
+// while points that are looked up (GuessingCore) are above the triangle.
 #pragma once
 
 #include <algorithm>
@@ -24,8 +24,8 @@ class PortalDiscovery : public PortalSupport<Set1, Set2> {
   using typename Support::Point;
   using typename Support::S;
 
-  /// Spares a cold start the first direction, which is the ray's.
-  /// @param support_1, support_2  Of the cores along it.
+  /// Gives a cold start its first corner, which is the one along the ray.
+  /// @param support_1, support_2  Of the cores along the ray; their frames.
   void StartFrom(const SupportPoint<S>& support_1, const SupportPoint<S>& support_2) {
     first_ = CornerOf(support_1, support_2);
   }
@@ -55,8 +55,8 @@ class PortalDiscovery : public PortalSupport<Set1, Set2> {
     return *first_;
   }
 
-  /// Of large hulls: whole refinements without a support function, as far as looked-up points go. Of 241 to 4516
-  /// vertices, queries take 0.6 of the time that they take with support points from the first direction on.
+  /// A refinement of large hulls without a support function, as far as looked-up points go. Queries of hulls of 241 to
+  /// 4516 vertices take 0.6 of the time that they take with support points from the first direction on.
   /// @tparam kIsCheck  Whether a triangle beyond the ray's end is enough.
   template <bool kIsCheck>
   DGD_FLATTEN DGD_NOINLINE bool StartByGuesses(const Point& axis, const Corner& first) {
@@ -101,10 +101,10 @@ class PortalDiscovery : public PortalSupport<Set1, Set2> {
       return kGuess ? GuessAlong(direction) : CornerAlong(direction);
     };
     const S height = axis.dot(first.point);
-    const Point beside = first.point - height * axis;
+    const Point lateral = first.point - height * axis;
     // Of skewed sets, what is farthest along the ray is far from it, and so is what is found like that.
-    if (beside.squaredNorm() > kNearSq * height * height) return this->template RefinePortal<false>(first);
-    const Corner second = along(height * axis - kSpread * beside);
+    if (lateral.squaredNorm() > kNearSq * height * height) return this->template RefinePortal<false>(first);
+    const Corner second = along(height * axis - kSpread * lateral);
     if (kIsCheck && !wants_corners_ && height * height > kWellInside * kWellInside * ray_.squaredNorm() &&
         FindCommonPoint(axis, first, second)) {
       return true;
@@ -118,13 +118,14 @@ class PortalDiscovery : public PortalSupport<Set1, Set2> {
     return this->template RefinePortal<false>(along(height * axis - std::copysign(tilt, side) * across));
   }
 
-  /// In the hull of the ball about the centre and of the point between two corners that is nearest to the ray.
+  /// Finds a common point in the hull of the ball about the centre and of the point between two corners that is nearest
+  /// to the ray.
   bool FindCommonPoint(const Point& axis, const Corner& a, const Corner& b) {
     const S height = axis.dot(a.point);
     const Point between = b.point - a.point;
-    const Point beside = a.point - height * axis, step = between - axis.dot(between) * axis;
+    const Point lateral = a.point - height * axis, step = between - axis.dot(between) * axis;
     const S step_sq = step.squaredNorm();
-    const S part = step_sq > 0 ? std::clamp(-beside.dot(step) / step_sq, S(0), S(1)) : S(0);
+    const S part = step_sq > 0 ? std::clamp(-lateral.dot(step) / step_sq, S(0), S(1)) : S(0);
     const S inradius_1 = set_1_.core.Inradius() + set_1_.radius, inradius_2 = set_2_.core.Inradius() + set_2_.radius;
     const S inradius = inradius_1 + inradius_2;
     const auto end = FindInBallHull<S, 3>(ray_, a.point + part * between, inradius);
@@ -138,9 +139,9 @@ class PortalDiscovery : public PortalSupport<Set1, Set2> {
   /// away from the ray, and their plane, moved, is no bound then.
   bool EndsBelow(S along, S height) { return along > 0 && along <= height && this->LeavesByFacet(); }
 
-  std::optional<Corner> first_;  // If known, the farthest along the ray.
-  std::optional<Point> common_;  // Of the two sets, from set 1's origin; world.
-  bool wants_corners_ = true;    // For a next query to begin from: a common point would leave none.
+  std::optional<Corner> first_;  // The farthest along the ray, if known.
+  std::optional<Point> common_;  // A common point of the two sets, from set 1's origin; world.
+  bool wants_corners_ = true;    // Whether a next query is to begin from corners: a common point would leave none.
 };
 
 }  // namespace dgd::solver_internal

@@ -6,12 +6,12 @@
 // remembers as it goes, and takes fewer steps for that. Where the refinement ends is weighed once.
 // What is thin or steep there is RayIntersection's, which weighs with care.
 //
-// With a radius the triangles are those of the cores, moved by it along their normal. Where the ray passes beside the
+// With a radius the triangles are those of the cores, moved by it along their normal. Where the ray passes outside the
 // last one, it leaves by the cylinder about an edge, or beyond that.
 //
 // Two ways to begin:
 //  * Warm, where the last query ended. From frame to frame most pairs keep their facet, or leave by one nearby; where
-//    the ray passes beside it, a point beyond the side that it crosses takes a corner's place: that of the facet
+//    the ray passes outside it, a point beyond the side that it crosses takes a corner's place: that of the facet
 //    beyond, where both cores know their edges (LinkedCore).
 //  * Cold (portal_discovery.h).
 //
@@ -47,7 +47,7 @@ class PortalRefinement : private solver_internal::PortalDiscovery<Set1, Set2> {
   using typename Discovery::Point;
   using typename Discovery::S;
 
-  /// Evaluations of the support functions at most, and steps to facets beside. From the last facet, by measurement:
+  /// Most evaluations of the support functions, and steps to neighbouring facets. Warm, by measurement:
   /// with half as many, warm queries of hulls of 241 to 4516 vertices take 1.1 times as long on average, in the slowest
   /// hundredth twice as long; with twice as many, as long. Cold, they take 27 in one of a hundred queries if no points
   /// are looked up.
@@ -55,7 +55,7 @@ class PortalRefinement : private solver_internal::PortalDiscovery<Set1, Set2> {
   static constexpr int kMaxColdSteps = 32;
 
   /// @param state  In and out: three points of a last query. If this fails, it names three to start from all the same.
-  /// @return whether the result is optimal, or says that the sets are apart by more than asked for; if not, it is of no
+  /// @return whether the result is optimal, or that the sets are separated by more than the limit; if not, it is of no
   ///         use.
   bool SolveWarm(const Settings<S>& settings, WarmStart<S>& state, Result<S>& result) {
     return RunWarm(settings, IsLimited(settings) ? EarlyOut::kApart : EarlyOut::kNever, state, result);
@@ -83,7 +83,6 @@ class PortalRefinement : private solver_internal::PortalDiscovery<Set1, Set2> {
   using Discovery::along_;
   using Discovery::common_;
   using Discovery::CornerAlong;
-  using Discovery::CornerOf;
   using Discovery::corners_;
   using Discovery::CrossEdge;
   using Discovery::EndsBelow;
@@ -120,18 +119,18 @@ class PortalRefinement : private solver_internal::PortalDiscovery<Set1, Set2> {
   using Discovery::weights_;
   using typename Discovery::Corner;
 
-  /// Where a refinement may end before the ray leaves the difference.
+  /// What ends a refinement before the ray leaves the difference.
   enum class EarlyOut {
     kNever,
     kApart,   ///< Where a plane separates the sets by more than the limit.
     kDecided  ///< Of a check: where one separates them, or the ray ends below the corners.
   };
-  /// Where it ended.
+  /// How it ended.
   enum class Termination {
-    kExit,    ///< The ray leaves here.
+    kExit,    ///< The ray leaves by these corners.
     kApart,   ///< By `apart_` along the last normal.
     kCommon,  ///< The ray ends below the corners, or at the common point.
-    kNone     ///< RayIntersection's.
+    kNone     ///< Not solved: the rest is left to RayIntersection.
   };
 
   static bool IsLimited(const Settings<S>& settings) {
@@ -160,7 +159,7 @@ class PortalRefinement : private solver_internal::PortalDiscovery<Set1, Set2> {
     if (!(radius_ >= 0) || !IsInRange(length, inradius)) return Termination::kNone;
     const Point axis = ray_ / length;
     const bool is_quick = HasFastColdStart();
-    // Most sets that may be apart by more than is asked for are known to be after one direction.
+    // Most sets that are separated by more than the limit are known to be after one direction.
     if (kEarlyOut == EarlyOut::kNever) PlaceVertices();
     const Corner first = FirstCorner(axis, is_quick && kEarlyOut != EarlyOut::kApart);
     if (kEarlyOut == EarlyOut::kApart) {
@@ -179,33 +178,34 @@ class PortalRefinement : private solver_internal::PortalDiscovery<Set1, Set2> {
     return RefineToSurface<kEarlyOut>(settings, kMaxColdSteps);
   }
 
-  /// From corners that the ray may pass beside.
+  /// From corners that the ray may pass outside of.
   template <EarlyOut kEarlyOut>
   Termination RunFromPortal(const Settings<S>& settings) {
     FindPlane();
     ended_at_thin_facet_ = !IsWellConditioned();
     if (ended_at_thin_facet_) return Termination::kNone;
-    const int beside = FindExitEdge();
-    is_weighed_ = beside < 0;
+    const int exit_edge = FindExitEdge();
+    is_weighed_ = exit_edge < 0;
     if (!is_weighed_ && radius_ > 0) {
       // Mostly by the edge itself.
       if (const std::optional<Termination> end = LeaveByEdge<kEarlyOut>(settings)) return *end;
       normal_ = NormalOfCorners();
-    } else if (!is_weighed_ && !WalkToRay(beside)) {
+    } else if (!is_weighed_ && !WalkToRay(exit_edge)) {
       return Termination::kNone;
     }
     return RefineToSurface<kEarlyOut>(settings, kMaxWarmSteps);
   }
 
-  /// From a triangle that the ray passes beside to one that it passes through.
-  bool WalkToRay(int beside) {
+  /// From a triangle that the ray passes outside of to one that it passes through.
+  /// @param exit_edge  FindExitEdge().
+  bool WalkToRay(int exit_edge) {
     for (;;) {
-      if (iterations_ >= kMaxWarmSteps || !CrossEdge(static_cast<std::size_t>(beside))) return false;
+      if (iterations_ >= kMaxWarmSteps || !CrossEdge(static_cast<std::size_t>(exit_edge))) return false;
       FindPlane();
       // Between here and there facets may be thin.
       if (!(height_ > 0 && along_ > 0)) return false;
-      beside = FindExitEdge();
-      if (beside >= 0) continue;
+      exit_edge = FindExitEdge();
+      if (exit_edge >= 0) continue;
       is_weighed_ = IsWellConditioned();
       return true;
     }
@@ -213,13 +213,13 @@ class PortalRefinement : private solver_internal::PortalDiscovery<Set1, Set2> {
 
   template <EarlyOut kEarlyOut>
   Termination RefineToSurface(const Settings<S>& settings, int most_iterations) {
-    return radius_ > 0 ? RefineRounded<kEarlyOut>(settings, most_iterations)
+    return radius_ > 0 ? RefineWithRadius<kEarlyOut>(settings, most_iterations)
                        : Refine<kEarlyOut, false>(settings, most_iterations);
   }
 
   /// Not inlined: with its registers, a refinement without a radius takes a tenth longer.
   template <EarlyOut kEarlyOut>
-  DGD_FLATTEN DGD_NOINLINE Termination RefineRounded(const Settings<S>& settings, int most_iterations) {
+  DGD_FLATTEN DGD_NOINLINE Termination RefineWithRadius(const Settings<S>& settings, int most_iterations) {
     return Refine<kEarlyOut, true>(settings, most_iterations);
   }
 
@@ -301,7 +301,7 @@ class PortalRefinement : private solver_internal::PortalDiscovery<Set1, Set2> {
     return Termination::kExit;
   }
 
-  /// Of a refinement that ended at corners.
+  /// Whether the corners at which a refinement ended are those of a certain facet.
   bool IsCertain(Termination end) {
     if (end == Termination::kNone) return false;
     ended_at_thin_facet_ = !LeavesByFacet();

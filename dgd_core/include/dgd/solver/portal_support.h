@@ -1,13 +1,14 @@
-// The support points of two polytopes as corners of a portal, and what corners say of the two sets.
+// The support points of two polytopes as corners of a portal, the portal's neighbours, and the points of the two sets
+// that a portal stands for.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <type_traits>
 
+#include "dgd/assert.h"
 #include "dgd/inlining.h"
 #include "dgd/query_types.h"
 #include "dgd/solver/minkowski_difference.h"
@@ -16,7 +17,7 @@
 
 namespace dgd::solver_internal {
 
-/// Of portal_refinement.h: the sets in their places, in the world's coordinates.
+/// The two sets of a portal refinement in their poses; in the world's coordinates, metres.
 template <class Set1, class Set2>
 class PortalSupport : protected Portal<typename MinkowskiDifference<Set1, Set2>::S> {
  public:
@@ -34,7 +35,7 @@ class PortalSupport : protected Portal<typename MinkowskiDifference<Set1, Set2>:
         set_2_(set_2),
         pose_2_(pose_2) {}
 
-  /// Whether points are looked up: then a cold start takes less than what RayIntersection goes on to do.
+  /// Whether cold starts look up points (GuessingCore): then they take less time than RayIntersection would.
   bool HasFastColdStart() const { return IsGuessing(set_1_.core) || IsGuessing(set_2_.core); }
 
   int Iterations() const { return iterations_; }
@@ -63,6 +64,8 @@ class PortalSupport : protected Portal<typename MinkowskiDifference<Set1, Set2>:
     return pose_2_.rotation * (set_2_.core.Vertex(feature) - set_2_.core.Center());
   }
 
+  /// Makes the points of a last query the corners.
+  /// @return false if the cores do not have these vertices any more.
   bool TakeCorners(const WarmStart<S>& state) {
     for (std::size_t i = 0; i < 3; ++i) {
       const FeatureId feature_1 = state.features_1[i], feature_2 = state.features_2[i];
@@ -83,6 +86,7 @@ class PortalSupport : protected Portal<typename MinkowskiDifference<Set1, Set2>:
     return corner;
   }
 
+  /// The corner farthest along a direction of any length.
   Corner CornerAlong(const Point& direction) {
     ++iterations_;
     if constexpr (kIsScanned) {
@@ -101,13 +105,13 @@ class PortalSupport : protected Portal<typename MinkowskiDifference<Set1, Set2>:
                     SupportNear(set_2_.core, Point(pose_2_.rotation.transpose() * -direction), hint_2_));
   }
 
-  /// About the farthest one.
+  /// A looked-up corner that is about the farthest one.
   Corner GuessAlong(const Point& direction) {
     return CornerOf(GuessSupport(set_1_.core, Point(pose_1_.rotation.transpose() * direction)),
                     GuessSupport(set_2_.core, Point(pose_2_.rotation.transpose() * -direction)));
   }
 
-  /// To a triangle beyond the side across from a corner: of the side, and another corner.
+  /// Replaces a corner by one beyond the opposite side, which becomes part of a neighbouring triangle.
   /// @return false if none is found.
   bool CrossEdge(std::size_t corner) {
     DGD_ASSERT(corner < 3);
@@ -117,7 +121,7 @@ class PortalSupport : protected Portal<typename MinkowskiDifference<Set1, Set2>:
     return Tilt(corner);
   }
 
-  /// The other corner is what the plane, turned about the side, meets next: on one of the two cores. By measurement,
+  /// The new corner is what the plane, turned about the side, meets next: on one of the two cores. By measurement,
   /// warm queries of hulls of 241 to 4516 vertices take a third less time than with Tilt().
   bool Pivot(std::size_t corner) {
     ++iterations_;
@@ -134,7 +138,7 @@ class PortalSupport : protected Portal<typename MinkowskiDifference<Set1, Set2>:
     return true;
   }
 
-  /// The other corner is farthest along the normal tilted towards there.
+  /// The new corner is the farthest one along the normal tilted towards there.
   bool Tilt(std::size_t corner) {
     const Point &a = corners_[(corner + 1) % 3].point, &b = corners_[(corner + 2) % 3].point;
     const Point outwards = b.cross(a);
@@ -147,6 +151,7 @@ class PortalSupport : protected Portal<typename MinkowskiDifference<Set1, Set2>:
     return true;
   }
 
+  /// HasCertainInterior() by the two vertices of a corner.
   bool HasInterior(const Corner& corner) const {
     return HasCertainInterior(set_1_, set_2_, set_1_.core.Vertex(corner.feature_1),
                               set_2_.core.Vertex(corner.feature_2));
@@ -174,9 +179,9 @@ class PortalSupport : protected Portal<typename MinkowskiDifference<Set1, Set2>:
     }
   }
 
-  /// Of the angle under which the facet's width is seen from the centre. By measurement, with Tilt() for all hulls:
-  /// with 1, 2, 3 and 4 times as much, warm queries of hulls of 2000 vertices take 444, 370, 361 and 426 ns on average,
-  /// of 241 240, 227, 234, 246.
+  /// By how much Tilt() tilts, as a part of the angle under which the facet's width is seen from the centre. By
+  /// measurement, with Tilt() for all hulls: with 1, 2, 3 and 4 times as much, warm queries of hulls of 2000 vertices
+  /// take 444, 370, 361 and 426 ns on average, of 241 240, 227, 234, 246.
   static constexpr S kTilt = S(2);
 
   const Set1& set_1_;

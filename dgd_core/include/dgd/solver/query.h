@@ -1,4 +1,5 @@
-// What growth_distance.h declares: by the last normal, by a search, or by RayIntersection.
+// The queries that growth_distance.h declares, step by step: the last separating axis, portal refinement of polytopes,
+// Newton's steps of curved sets, and the ray intersection for all that these leave.
 #pragma once
 
 #include <algorithm>
@@ -25,8 +26,7 @@ bool HasSeparatingAxis(const WarmStart<S, L>* warm_start) {
   return warm_start != nullptr && warm_start->size == 0 && HasNormal(*warm_start);
 }
 
-/// What one direction tells before any frame is made: a plane across it that each set ends at, and how far these are
-/// apart.
+/// The supporting planes of two sets across one direction, before any frame is made.
 template <class Set>
 struct SupportingPlanes {
   using S = typename Set::Scalar;
@@ -38,7 +38,7 @@ struct SupportingPlanes {
   S separation;                  ///< Metres, negative for overlap.
 };
 
-/// The planes across one direction: an evaluation of each set's support function.
+/// Evaluates each set's support function along one direction.
 /// @param normal_1  Unit length, set 1's frame.
 template <class Set1, class Set2>
 DGD_FLATTEN SupportingPlanes<Set1> PlanesAlong(const VectorOf<typename Set1::Core>& normal_1, const Set1& set_1,
@@ -64,7 +64,7 @@ bool SeparateByMoreThan(const SupportingPlanes<Set>& planes, typename Set::Scala
 
 /// Whether sets overlap for certain, by the ball about their difference's centre and by its point farthest along the
 /// planes' normal.
-/// @param result  Set to say so.
+/// @param result  Set if so.
 template <class Set1, class Set2>
 DGD_FLATTEN bool OverlapAboutCenters(const SupportingPlanes<Set1>& planes, const Set1& set_1,
                                      const PoseOf<Set1>& pose_1, const Set2& set_2, const PoseOf<Set1>& pose_2,
@@ -86,8 +86,10 @@ DGD_FLATTEN bool OverlapAboutCenters(const SupportingPlanes<Set1>& planes, const
   return true;
 }
 
-/// Whether the planes tell a yes or no.
-/// @param result  Set to say so.
+/// Decides a collision check by the planes along one direction: they separate the sets, or the overlap about the
+/// centres is certain.
+/// @param result  Set if so.
+/// @return whether it is decided.
 template <class Set1, class Set2>
 bool ClassifyByPlane(const SupportingPlanes<Set1>& planes, const Set1& set_1, const PoseOf<Set1>& pose_1,
                      const Set2& set_2, const PoseOf<Set1>& pose_2, CollisionResultOf<Set1>& result) {
@@ -102,10 +104,9 @@ bool ClassifyByPlane(const SupportingPlanes<Set1>& planes, const Set1& set_1, co
   return true;
 }
 
-/// For a yes or no, the line of centres, which is the first direction of a query in any case, is such a normal too.
-/// @param normal_1  Set to it in set 1's frame.
-/// @return false for coincident centres, for sets without an interior, which are no query's, and for sizes out of
-/// range.
+/// Finds the direction from centre to centre, which is the first one of a cold query.
+/// @param normal_1  Out: unit length, set 1's frame.
+/// @return false for coincident centres, for sets without an interior, and for sizes out of range.
 template <class Set1, class Set2>
 bool FindLineOfCenters(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2, const PoseOf<Set1>& pose_2,
                        VectorOf<typename Set1::Core>& normal_1) {
@@ -125,33 +126,33 @@ template <class Set1, class Set2>
 constexpr bool kHasPortalRefinement =
     kDimension<typename Set1::Core> == 3 && MinkowskiDifference<Set1, Set2>::kIsPolytope;
 
-/// Asks PortalRefinement: from the last facet, if there is one, and from scratch.
-/// @param remaining  The iterations that are left, if it has no answer.
-/// @param first      What is known along the line of centres, or null.
-/// @return whether it has, which the result is then. Not inlined: with its registers, sets that stay apart take 15 ns
-/// longer.
+/// Portal refinement: warm from the last facet, if there is one, else cold. Not inlined: with its registers, sets that
+/// stay apart take 15 ns longer.
+/// @param first      The planes along the line of centres, or null if they are not known.
+/// @param result     Out, if it is solved.
+/// @param remaining  Out: the settings of what is left to do, if it is not.
+/// @return whether it is solved.
 template <class Set1, class Set2, class AnyResult>
 DGD_FLATTEN DGD_NOINLINE bool SolveByPortal(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
                                             const PoseOf<Set1>& pose_2, const Settings<typename Set1::Scalar>& settings,
                                             WarmStartOf<Set1>* warm_start,
                                             std::type_identity_t<const SupportingPlanes<Set1>*> first,
                                             AnyResult& result, Settings<typename Set1::Scalar>& remaining) {
-  using Search = PortalRefinement<Set1, Set2>;
-  if (settings.max_iterations <= Search::kMaxColdSteps) return false;
-  Search search(set_1, pose_1, set_2, pose_2);
-  if (first != nullptr) search.StartFrom(first->support_1, first->support_2);
-  // Of an edge or a corner, RayIntersection goes on; and of a thin facet, which a search from scratch would end at,
-  // too.
+  using Refinement = PortalRefinement<Set1, Set2>;
+  if (settings.max_iterations <= Refinement::kMaxColdSteps) return false;
+  Refinement refinement(set_1, pose_1, set_2, pose_2);
+  if (first != nullptr) refinement.StartFrom(first->support_1, first->support_2);
+  // RayIntersection goes on from an edge or a corner, and from a thin facet, at which a cold start would end, too.
   const int size = warm_start != nullptr ? warm_start->size : 0;
-  if (size == 3 && search.SolveWarm(settings, *warm_start, result)) return true;
-  const bool is_lost = size == 3 && search.HasFastColdStart() && !search.EndedAtThinFacet();
-  if ((size == 0 || is_lost) && search.SolveCold(settings, warm_start, result)) return true;
+  if (size == 3 && refinement.SolveWarm(settings, *warm_start, result)) return true;
+  const bool has_left_facet = size == 3 && refinement.HasFastColdStart() && !refinement.EndedAtThinFacet();
+  if ((size == 0 || has_left_facet) && refinement.SolveCold(settings, warm_start, result)) return true;
   result = {};
-  remaining.max_iterations -= search.Iterations();
+  remaining.max_iterations -= refinement.Iterations();
   return false;
 }
 
-/// What a query in the ray's frame has found.
+/// Writes the result of a query in the ray's frame.
 template <class Difference, class Query, class S, int L>
 void Report(const Difference&, const Query& query, Status status, Result<S, L>& result) {
   result.status = status;
@@ -187,8 +188,8 @@ void Report(const Difference& difference, const Query& query, Status status, Col
   }
 }
 
-/// What a search that has given up knows better. Where roundoff puts the bounds in the wrong order, the upper one
-/// stays, as it does in each part.
+/// Takes the bounds of a search that has given up where they are better. Where roundoff puts the two in the wrong
+/// order, the upper one stays, as it does in each part of a query.
 /// @param bounds  A result or an iterate.
 /// @return for each bound whether it is the search's now, the lower one first.
 template <class Search, class Bounds>
@@ -211,17 +212,19 @@ void MergeBounds(const Search& search, Result<S, L>& result) {
     result.witness_2 = search.Witness2();
   }
 }
-/// A yes or no has no bounds.
+/// A collision check has no bounds.
 template <class Search, class S, int L>
 void MergeBounds(const Search&, CollisionResult<S, L>&) {}
 
+/// The ray intersection (Alg. 3).
 /// @param settings  Of what is left to do.
+/// @param result    In: the iterations done.
 template <class Set1, class Set2, class Observer, class AnyResult>
-void SolveByRayIntersection(QueryMode question, const MinkowskiDifference<Set1, Set2>& difference,
+void SolveByRayIntersection(QueryMode mode, const MinkowskiDifference<Set1, Set2>& difference,
                             const Settings<typename Set1::Scalar>& settings, WarmStartOf<Set1>* warm_start,
                             Observer& observer, AnyResult& result) {
   RayIntersection<Set1, Set2> query(difference, settings);
-  const Status status = query.Solve(question, warm_start, observer);
+  const Status status = query.Solve(mode, warm_start, observer);
   if (status == Status::kNoInterior) {
     result = {};
     result.status = status;
@@ -231,22 +234,22 @@ void SolveByRayIntersection(QueryMode question, const MinkowskiDifference<Set1, 
   Report(difference, query, status, result);
 }
 
-/// Goes on where second-order steps give up, which has met pieces too far from the answer to fit their model: by
-/// RayIntersection, from the best normal so far. Not inlined: rare, and long.
-/// @param search      The steps.
-/// @param settings  As theirs.
+/// The ray intersection from where Newton's steps give up, having met pieces too far from the optimum to fit their
+/// model: from the best normal so far. Not inlined: rare, and long.
+/// @param search    The steps.
+/// @param settings  Those that the steps began with.
 template <class Set1, class Set2, class Observer, class AnyResult>
-DGD_NOINLINE void SolveAfterNewton(QueryMode question, const NewtonSearch<Set1, Set2>& search,
+DGD_NOINLINE void SolveAfterNewton(QueryMode mode, const NewtonSearch<Set1, Set2>& search,
                                    const MinkowskiDifference<Set1, Set2>& difference,
                                    Settings<typename Set1::Scalar> settings, WarmStartOf<Set1>* warm_start,
                                    Observer& observer, AnyResult& result) {
-  WarmStartOf<Set1> unheld;
-  WarmStartOf<Set1>& state = warm_start != nullptr ? *warm_start : unheld;
+  WarmStartOf<Set1> own_state;
+  WarmStartOf<Set1>& state = warm_start != nullptr ? *warm_start : own_state;
   state = {};
   state.normal_1 = difference.NormalOfSet1(search.NormalInFrame());
   settings.max_iterations -= search.Iterations();
   if constexpr (std::is_same_v<Observer, const NoObserver>) {
-    SolveByRayIntersection(question, difference, settings, &state, observer, result);
+    SolveByRayIntersection(mode, difference, settings, &state, observer, result);
   } else {
     // The iterates are counted on, and have the better of both bounds.
     const auto going_on = [&](auto iterate) {
@@ -254,17 +257,17 @@ DGD_NOINLINE void SolveAfterNewton(QueryMode question, const NewtonSearch<Set1, 
       MergeBoundsOf(search, iterate);
       observer(iterate);
     };
-    SolveByRayIntersection(question, difference, settings, &state, going_on, result);
+    SolveByRayIntersection(mode, difference, settings, &state, going_on, result);
   }
   if (result.status != Status::kNoInterior) MergeBounds(search, result);
 }
 
-/// Asks the Minkowski difference, in the ray's frame: along second-order steps, if it is curved, and from where these
-/// end; by RayIntersection otherwise.
+/// Solves in the ray's frame: curved sets by Newton's steps, and by the ray intersection where these end; others by the
+/// ray intersection.
 /// @param settings  Of what is left to do.
 /// @param result    In: the iterations done.
 template <class Set1, class Set2, class Observer, class AnyResult>
-DGD_FLATTEN void SolveInRayFrame(QueryMode question, const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
+DGD_FLATTEN void SolveInRayFrame(QueryMode mode, const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2,
                                  const PoseOf<Set1>& pose_2, const Settings<typename Set1::Scalar>& settings,
                                  WarmStartOf<Set1>* warm_start, Observer& observer, AnyResult& result) {
   using Difference = MinkowskiDifference<Set1, Set2>;
@@ -276,14 +279,14 @@ DGD_FLATTEN void SolveInRayFrame(QueryMode question, const Set1& set_1, const Po
   if constexpr (Difference::kIsSmooth) {
     if (difference.HasRay()) {
       NewtonSearch<Set1, Set2> search(difference, settings);
-      const auto status = search.Solve(question, FirstNormal(difference, warm_start), warm_start, observer);
+      const auto status = search.Solve(mode, FirstNormal(difference, warm_start), warm_start, observer);
       result.iterations += search.Iterations();
-      if (!status) return SolveAfterNewton(question, search, difference, settings, warm_start, observer, result);
+      if (!status) return SolveAfterNewton(mode, search, difference, settings, warm_start, observer, result);
       if (warm_start != nullptr) search.Remember(*status, *warm_start);
       return Report(difference, search, *status, result);
     }
   }
-  SolveByRayIntersection(question, difference, settings, warm_start, observer, result);
+  SolveByRayIntersection(mode, difference, settings, warm_start, observer, result);
 }
 
 template <class Set1, class Set2, class Observer>
@@ -303,7 +306,7 @@ DGD_FLATTEN ResultOf<Set1> GrowthDistance(const Set1& set_1, const PoseOf<Set1>&
     }
   }
   Settings<typename Set1::Scalar> remaining = settings;
-  // An observer is told of bounds that the search does not have.
+  // An observer gets bounds after each iteration, which portal refinement does not have.
   if constexpr (kHasPortalRefinement<Set1, Set2> && std::is_same_v<Observer, const NoObserver>) {
     if (SolveByPortal(set_1, pose_1, set_2, pose_2, settings, warm_start, nullptr, result, remaining)) return result;
   }

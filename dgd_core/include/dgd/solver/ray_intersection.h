@@ -29,11 +29,11 @@ class RayIntersection {
   /// Of a valid difference.
   /// @param observer  Called with an Iterate after each iteration.
   template <class Observer>
-  Status Solve(QueryMode question, WarmStart<S, L>* warm_start, Observer& observer) {
+  Status Solve(QueryMode mode, WarmStart<S, L>* warm_start, Observer& observer) {
     if (!(difference_.Inradius() > 0)) return Status::kNoInterior;
     const bool coincident = !difference_.HasRay();
     const Status status =
-        coincident ? MeasureAlongAnyNormal(warm_start) : Improve(question, FirstDirection(warm_start), observer);
+        coincident ? MeasureAlongAnyNormal(warm_start) : Improve(mode, FirstDirection(warm_start), observer);
     if (!coincident && status != Status::kSeparated) FinalizeBasis();
     if (warm_start != nullptr) Remember(status, *warm_start);
     return status;
@@ -81,13 +81,13 @@ class RayIntersection {
 
   /// @param normal  The first one to search.
   template <class Observer>
-  Status Improve(QueryMode question, Point normal, Observer& observer) {
+  Status Improve(QueryMode mode, Point normal, Observer& observer) {
     Point direction = normal;
     for (;;) {
       if (!(normal[L - 1] > 0)) return Status::kStalled;  // Also for NaN.
       const S last_outer = outer_.Height(), last_inner = inner_.Height();
       CutAlong(normal, direction);
-      const Status verdict = Verdict(question);
+      const Status verdict = Verdict(mode);
       // A plane between the sets tells all the same.
       if (iterations_ == 1 && verdict != Status::kSeparated && !difference_.HasCertainInterior(support_)) {
         return Status::kNoInterior;
@@ -97,7 +97,7 @@ class RayIntersection {
       RaiseInner();
       // Polytopes end with a supporting plane on the inner approximation; curved cores once a point is near enough.
       if constexpr (Difference::kIsSmooth) {
-        if (const Status status = Verdict(question); status != kUndecided) return Report(observer, status);
+        if (const Status status = Verdict(mode); status != kUndecided) return Report(observer, status);
       }
       Report(observer, kUndecided);
       if (iterations_ >= settings_.max_iterations) return Status::kIterationLimit;
@@ -232,10 +232,10 @@ class RayIntersection {
     for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) inner_.Insert(basis[i]);
   }
 
-  Status Verdict(QueryMode question) const {
+  Status Verdict(QueryMode mode) const {
     if (Separation() > settings_.separation_limit) return Status::kSeparated;
     const bool converged = outer_.Height() <= Inner().Height() * (1 + settings_.relative_tolerance);
-    if (question == QueryMode::kCollision) {
+    if (mode == QueryMode::kCollision) {
       if (Inner().Height() >= difference_.CenterDistance()) return Status::kColliding;
       if (Separation() > 0) return Status::kSeparated;
       return converged ? Status::kTouching : kUndecided;
