@@ -8,7 +8,9 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <utility>
 
 #include "dgd/assert.h"
 #include "dgd/distance/gjk_simplex.h"
@@ -101,55 +103,20 @@ class EpaPolytope {
   ///         room for it.
   bool Add(const Feature& added) {
     if (size_ == kMaxPoints) return false;
-    const auto height = [&](const Face& face) { return face.normal.dot(added.point) - face.distance; };
-    const auto seed =
-        std::max_element(faces_.begin(), End(), [&](const Face& a, const Face& b) { return height(a) < height(b); });
-    if (!(height(*seed) > roundoff_)) return false;
-
-    // Bit b of edges[a]: a replaced face has the edge from a to b. Replaced faces are moved to the end.
-    std::array<std::uint64_t, kMaxPoints> edges{};
-    auto replaced = End();
-    const auto replace = [&](typename std::array<Face, kMaxFaces>::iterator face) {
-      for (std::size_t i = 0; i < 3; ++i) edges[face->corners[i]] |= Bit(face->corners[(i + 1) % 3]);
-      std::iter_swap(face, --replaced);
-    };
-    replace(seed);
-    for (bool has_grown = true; has_grown;) {
-      has_grown = false;
-      for (auto face = faces_.begin(); face < replaced;) {
-        bool is_neighbour = false;
-        for (std::size_t i = 0; i < 3; ++i) {
-          is_neighbour = is_neighbour || (edges[face->corners[(i + 1) % 3]] & Bit(face->corners[i])) != 0;
-        }
-        // Faces that hold the point in their plane go, too: beside one of them, it may be in line with its edge.
-        // So do slivers, which look anywhere.
-        if (is_neighbour && (IsSliver(*face) || height(*face) > -face->slack)) {
-          replace(face);
-          has_grown = true;
-        } else {
-          ++face;
-        }
-      }
-    }
-    if (replaced == faces_.begin()) return false;
-    const auto kept = static_cast<std::size_t>(replaced - faces_.begin());
-    // The edges between a replaced face and one that stays.
-    const auto for_each_rim_edge = [&](const auto& visit) {
-      for (std::uint8_t from = 0; from < size_; ++from) {
-        for (std::uint64_t rest = edges[from]; rest != 0; rest &= rest - 1) {
-          const auto to = static_cast<std::uint8_t>(std::countr_zero(rest));
-          if ((edges[to] & Bit(from)) == 0) visit(from, to);
-        }
-      }
-    };
+    Visible visible;
+    if (!(FindVisible(added.point, visible) > roundoff_)) return false;
+    const std::size_t replaced = CollectReplaced(visible);
+    if (replaced == face_count_) return false;
     std::size_t rim_size = 0;
-    for_each_rim_edge([&](std::uint8_t, std::uint8_t) { ++rim_size; });
+    visible.ForEachRimEdge(size_, [&](std::uint8_t, std::uint8_t) { ++rim_size; });
     // A surface without holes has room for as many faces as its points can make; one that roundoff has torn may not.
-    if (kept + rim_size > kMaxFaces) return false;
-    face_count_ = kept;
+    if (face_count_ - replaced + rim_size > kMaxFaces) return false;
+    // From the last one, so that no face moves that is still to go.
+    std::sort(visible.faces.begin(), visible.faces.begin() + replaced, std::greater<>());
+    for (std::size_t i = 0; i < replaced; ++i) faces_[visible.faces[i]] = faces_[--face_count_];
     points_[size_] = added;
     const auto apex = static_cast<std::uint8_t>(size_);
-    for_each_rim_edge([&](std::uint8_t from, std::uint8_t to) { AddFace(from, to, apex); });
+    visible.ForEachRimEdge(size_, [&](std::uint8_t from, std::uint8_t to) { AddFace(from, to, apex); });
     ++size_;
     return true;
   }
@@ -160,6 +127,67 @@ class EpaPolytope {
 
   auto End() const { return faces_.begin() + static_cast<std::ptrdiff_t>(face_count_); }
   auto End() { return faces_.begin() + static_cast<std::ptrdiff_t>(face_count_); }
+
+  /// The faces that a point is in front of, or in the plane of, and the edges of those of them that it replaces.
+  struct Visible {
+    void AddEdges(const Face& face) {
+      for (std::size_t i = 0; i < 3; ++i) edges[face.corners[i]] |= Bit(face.corners[(i + 1) % 3]);
+    }
+    /// Whether a face has an edge in common with those whose edges were added.
+    bool IsNeighbour(const Face& face) const {
+      const auto [a, b, c] = face.corners;
+      return ((edges[b] & Bit(a)) | (edges[c] & Bit(b)) | (edges[a] & Bit(c))) != 0;
+    }
+    /// Visits the edges between a replaced face and one that stays.
+    template <class Visit>
+    void ForEachRimEdge(std::size_t points, const Visit& visit) const {
+      for (std::uint8_t from = 0; from < points; ++from) {
+        for (std::uint64_t rest = edges[from]; rest != 0; rest &= rest - 1) {
+          const auto to = static_cast<std::uint8_t>(std::countr_zero(rest));
+          if ((edges[to] & Bit(from)) == 0) visit(from, to);
+        }
+      }
+    }
+
+    std::array<std::uint8_t, kMaxFaces> faces;  // Their places; the highest first.
+    std::size_t size = 0;
+    std::array<std::uint64_t, kMaxPoints> edges{};  // Bit b of [a]: a replaced face has the edge from a to b.
+  };
+
+  /// @return the height of a point over the plane that it is farthest in front of, metres.
+  S FindVisible(const Vector3<S>& point, Visible& visible) const {
+    S highest = -std::numeric_limits<S>::infinity();
+    for (std::size_t i = 0; i < face_count_; ++i) {
+      const Face& face = faces_[i];
+      const S height = face.normal.dot(point) - face.distance;
+      // Faces that hold the point in their plane go, too: beside one of them, it may be in line with its edge.
+      // So do slivers, which look anywhere.
+      if (!(height > -face.slack || IsSliver(face))) continue;
+      visible.faces[visible.size++] = static_cast<std::uint8_t>(i);
+      if (!(height > highest)) continue;
+      highest = height;
+      std::swap(visible.faces[0], visible.faces[visible.size - 1]);
+    }
+    return highest;
+  }
+
+  /// Of the visible faces, those that hang together with the first one: moved to the beginning, their edges added.
+  /// @return how many there are.
+  std::size_t CollectReplaced(Visible& visible) const {
+    visible.AddEdges(faces_[visible.faces[0]]);
+    std::size_t count = 1;
+    for (bool has_grown = true; has_grown;) {
+      has_grown = false;
+      for (std::size_t i = count; i < visible.size; ++i) {
+        const Face& face = faces_[visible.faces[i]];
+        if (!visible.IsNeighbour(face)) continue;
+        visible.AddEdges(face);
+        std::swap(visible.faces[i], visible.faces[count++]);
+        has_grown = true;
+      }
+    }
+    return count;
+  }
 
   static std::uint64_t Bit(std::uint8_t point) { return std::uint64_t(1) << point; }
 
