@@ -1,25 +1,62 @@
 #include "dgd/shapes/dsf.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <stdexcept>
 #include <string>
 
 #include "dgd/shapes/support_distance.h"
+#include "dgd/shapes/vertex_scan_kernels.h"
+#include "dsf_sums.h"
 
 namespace dgd {
 namespace {
 
-/// Powers, most of the cost, are not computed twice: they stay on the stack, of twice as many points as the paper's
-/// sets have (4 to 30). Those of further points are.
-constexpr std::size_t kMostKeptPowers = 64;
+using Points = std::vector<Eigen::Vector3d>;
+
+/// The sums leave out what has a power below 2^-70: far beyond the last digit. Nor is anything taken the logarithm of
+/// that is near the least of all numbers.
+constexpr double kNegligible = 70, kLowest = 900;
+
+std::uint32_t WholePower(double power) {
+  const bool is_whole = power > 0 && power < std::numeric_limits<std::uint32_t>::max() && power == std::floor(power);
+  return is_whole ? static_cast<std::uint32_t>(power) : 0;
+}
+
+/// Orders points so that those of a block are near each other, and lie behind a direction together.
+void OrderByPlace(Points::iterator begin, Points::iterator end) {
+  if (end - begin <= static_cast<std::ptrdiff_t>(dsf_internal::kLanes)) return;
+  Eigen::Vector3d lowest = *begin, highest = *begin;
+  for (auto point = begin; point != end; ++point) {
+    lowest = lowest.cwiseMin(*point);
+    highest = highest.cwiseMax(*point);
+  }
+  Eigen::Index axis;
+  (highest - lowest).maxCoeff(&axis);
+  // Whole blocks on either side.
+  const auto blocks = (end - begin + 3) / 4;
+  const auto middle = begin + blocks / 2 * 4;
+  std::nth_element(begin, middle, end, [axis](const auto& a, const auto& b) { return a[axis] < b[axis]; });
+  OrderByPlace(begin, middle);
+  OrderByPlace(middle, end);
+}
+
+/// The same by what every x86-64 has.
+void SumBaseline(const double* offsets, std::size_t blocks, const double* direction, const dsf_internal::Powers& powers,
+                 bool with_spread, dsf_internal::Sums& sums) {
+  dsf_internal::Sum(offsets, blocks, direction, powers, with_spread, sums);
+}
 
 }  // namespace
 
 DsfInDouble::DsfInDouble(const ConvexHull& hull, double exponent)
-    : exponent_(exponent), origin_(hull.center), inradius_(InradiusOfRounded<double>(hull)) {
+    : exponent_(exponent),
+      whole_power_(WholePower(exponent - 2)),
+      least_part_(std::exp2(std::max(-kNegligible / (exponent - 2), -kLowest))),
+      origin_(hull.center),
+      inradius_(InradiusOfRounded<double>(hull)) {
   if (!(std::isfinite(exponent) && exponent > 2)) {
     throw std::invalid_argument("dsf exponent must be finite and > 2; got " + std::to_string(exponent));
   }
@@ -29,70 +66,63 @@ DsfInDouble::DsfInDouble(const ConvexHull& hull, double exponent)
         " their hull has dimension " +
         std::to_string(hull.dimension));
   }
-  for (const Eigen::Vector3d& vertex : hull.vertices) offsets_.push_back(vertex - origin_);
+  Points offsets;
+  for (const Eigen::Vector3d& vertex : hull.vertices) offsets.push_back(vertex - origin_);
+  OrderByPlace(offsets.begin(), offsets.end());
+  const std::size_t blocks = (offsets.size() + dsf_internal::kLanes - 1) / dsf_internal::kLanes;
+  offsets_.assign(blocks * dsf_internal::kBlock, 0);
+  for (std::size_t j = 0; j < offsets.size(); ++j) {
+    double* const at = &offsets_[j / dsf_internal::kLanes * dsf_internal::kBlock + j % dsf_internal::kLanes];
+    for (std::size_t k = 0; k < 3; ++k) at[k * dsf_internal::kLanes] = offsets[j][static_cast<Eigen::Index>(k)];
+  }
 }
 
-/// Gradient of the p-norm of the heights and, if asked for, its Hessian. With r_j the heights as parts of the largest
-/// one, m, so that no power overflows, and q = sum r_j^p, the support value is s = m q^(1/p) and the gradient
+dsf_internal::Sums DsfInDouble::SumsAlong(const Eigen::Vector3d& direction, bool with_spread) const {
+  static const dsf_internal::SumKernel kBest = vertex_scan::HasAvx2() ? dsf_internal::SumAvx2 : SumBaseline;
+  dsf_internal::Sums sums;
+  kBest(offsets_.data(), offsets_.size() / dsf_internal::kBlock, direction.data(),
+        {exponent_, whole_power_, least_part_}, with_spread, sums);
+  return sums;
+}
+
+/// The gradient of the p-norm of the heights and, if asked for, its Hessian. With m the highest height, r_j the others
+/// as parts of it and q = sum r_j^p, the support value is s = m q^(1/p), and the gradient
 /// g = q^(1/p - 1) sum r_j^(p-1) w_j. The Hessian is (p - 1) / (q s) sum r_j^(p-2) z_j z_j^T with
-/// z_j = q^(1/p) w_j - r_j g: a sum of squares, so semidefinite also when rounded.
-template <bool kWithDerivative>
-CurvedPoint<double> DsfInDouble::Curve(const Eigen::Vector3d& direction) const {
+/// z_j = q^(1/p) w_j - r_j g. Both are written by u_j = w_j - r_j w_0, w_0 the highest offset: near a vertex the sums
+/// of w_j would cancel.
+CurvedPoint<double> DsfInDouble::Curve(const Eigen::Vector3d& direction, bool with_derivative) const {
   CurvedPoint<double> curved{origin_, Matrix3<double>::Constant(std::numeric_limits<double>::quiet_NaN())};
   const double length = direction.cwiseAbs().maxCoeff();
   if (!(length > 0)) return curved;
-  const Eigen::Vector3d d = direction / length;
-  double highest = 0;
-  for (const Eigen::Vector3d& offset : offsets_) highest = std::max(highest, d.dot(offset));
-  if (!(highest > 0)) return curved;
+  const dsf_internal::Sums sums = SumsAlong(direction / length, with_derivative);
+  if (!(sums.highest > 0)) return curved;
+  const double root = std::pow(sums.powers, 1 / exponent_);
+  const Eigen::Vector3d offset = Eigen::Map<const Eigen::Vector3d>(sums.offset) / sums.powers;
+  curved.point = origin_ + root * (Eigen::Map<const Eigen::Vector3d>(sums.top) + offset);
+  if (!with_derivative) return curved;
 
-  double sum = 0;
-  Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
-  [[maybe_unused]] std::array<double, kMostKeptPowers> powers;
-  for (std::size_t j = 0; j < offsets_.size(); ++j) {
-    const double part = d.dot(offsets_[j]) / highest;
-    if (!(part > 0)) continue;
-    const double power = std::pow(part, exponent_ - 2);
-    if constexpr (kWithDerivative) {
-      if (j < kMostKeptPowers) powers[j] = power;
-    }
-    sum += power * part * part;
-    weighted += power * part * offsets_[j];
-  }
-  const double root = std::pow(sum, 1 / exponent_);
-  const Eigen::Vector3d gradient = root / sum * weighted;
-  curved.point = origin_ + gradient;
-  if constexpr (!kWithDerivative) return curved;
-
-  curved.derivative.setZero();
-  for (std::size_t j = 0; j < offsets_.size(); ++j) {
-    const double part = d.dot(offsets_[j]) / highest;
-    if (!(part > 0)) continue;
-    const double power = j < kMostKeptPowers ? powers[j] : std::pow(part, exponent_ - 2);
-    const Eigen::Vector3d z = root * offsets_[j] - part * gradient;
-    curved.derivative += power * (z * z.transpose());
-  }
-  curved.derivative *= (exponent_ - 1) / (sum * highest * root) / length;
+  const auto& [xx, xy, xz, yy, yz, zz] = sums.spread;
+  Matrix3<double> spread;
+  spread << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+  curved.derivative = (exponent_ - 1) * root / (sums.powers * sums.highest * length) *
+                      (spread - sums.powers * offset * offset.transpose());
   return curved;
 }
 
 SupportPoint<double> DsfInDouble::Support(const Eigen::Vector3d& direction) const {
-  return {Curve<false>(direction).point, 0};
+  return {Curve(direction, false).point, 0};
 }
 
 CurvedPoint<double> DsfInDouble::PieceSupport(FeatureId, const Eigen::Vector3d& direction) const {
-  return Curve<true>(direction);
+  return Curve(direction, true);
 }
 
 double DsfInDouble::SupportValue(const Eigen::Vector3d& direction) const {
-  double highest = 0;
-  for (const Eigen::Vector3d& offset : offsets_) highest = std::max(highest, direction.dot(offset));
-  if (!(highest > 0)) return direction.dot(origin_);
-  double sum = 0;
-  for (const Eigen::Vector3d& offset : offsets_) {
-    sum += std::pow(std::max(direction.dot(offset), 0.0) / highest, exponent_);
-  }
-  return highest * std::pow(sum, 1 / exponent_) + direction.dot(origin_);
+  const double length = direction.cwiseAbs().maxCoeff();
+  if (!(length > 0)) return 0;
+  const dsf_internal::Sums sums = SumsAlong(direction / length, false);
+  if (!(sums.highest > 0)) return direction.dot(origin_);
+  return length * sums.highest * std::pow(sums.powers, 1 / exponent_) + direction.dot(origin_);
 }
 
 double DsfInDouble::Distance(const Eigen::Vector3d& point) const {

@@ -6,6 +6,7 @@
 // at least the largest height.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -17,7 +18,11 @@
 
 namespace dgd {
 
-/// What Dsf asks, in double whatever its scalar is: powers are most of the cost in either, so this is compiled once.
+namespace dsf_internal {
+struct Sums;
+}  // namespace dsf_internal
+
+/// What Dsf asks, in double whatever its scalar is: its powers are computed once, four at a time.
 /// Frame, units and errors are Dsf's.
 class DGD_EXPORT DsfInDouble {
  public:
@@ -34,13 +39,16 @@ class DGD_EXPORT DsfInDouble {
   double Distance(const Eigen::Vector3d& point) const;
 
  private:
-  template <bool kWithDerivative>
-  CurvedPoint<double> Curve(const Eigen::Vector3d& direction) const;
+  CurvedPoint<double> Curve(const Eigen::Vector3d& direction, bool with_derivative) const;
+  /// @param direction  Of which the largest coordinate is 1.
+  dsf_internal::Sums SumsAlong(const Eigen::Vector3d& direction, bool with_spread) const;
 
   double exponent_;
+  std::uint32_t whole_power_;  // p - 2 if that is a whole number, else 0.
+  double least_part_;          // Of the highest height: what is lower counts for nothing.
   Eigen::Vector3d origin_;
   double inradius_;
-  std::vector<Eigen::Vector3d> offsets_;
+  std::vector<double> offsets_;  // Of the vertices from the origin, in blocks.
 };
 
 /// Makes the hull once, when it is made; immutable after. Computes in double whatever S is.
