@@ -46,6 +46,7 @@ class EpaPolytope {
     AddFace(0, 3, 1);
     AddFace(1, 3, 2);
     AddFace(2, 3, 0);
+    FindNearest();
   }
 
   /// Whether the face has no plane, being too narrow.
@@ -63,9 +64,8 @@ class EpaPolytope {
 
   /// A face whose plane is nearest to the origin.
   const Face& Nearest() const {
-    DGD_ASSERT(face_count_ > 0);
-    return *std::min_element(faces_.begin(), End(),
-                             [](const Face& a, const Face& b) { return a.distance < b.distance; });
+    DGD_ASSERT(nearest_ < face_count_);
+    return faces_[nearest_];
   }
 
   /// The same among those that look along a unit vector, by their normals' cosine to it; a sliver if there is none.
@@ -105,19 +105,19 @@ class EpaPolytope {
     if (size_ == kMaxPoints) return false;
     Visible visible;
     if (!(FindVisible(added.point, visible) > roundoff_)) return false;
-    const std::size_t replaced = CollectReplaced(visible);
+    Hole hole;
+    const std::size_t replaced = CollectReplaced(visible, hole);
     if (replaced == face_count_) return false;
-    std::size_t rim_size = 0;
-    visible.ForEachRimEdge(size_, [&](std::uint8_t, std::uint8_t) { ++rim_size; });
     // A surface without holes has room for as many faces as its points can make; one that roundoff has torn may not.
-    if (face_count_ - replaced + rim_size > kMaxFaces) return false;
+    if (face_count_ - replaced + hole.rim_size > kMaxFaces) return false;
     // From the last one, so that no face moves that is still to go.
     std::sort(visible.faces.begin(), visible.faces.begin() + replaced, std::greater<>());
     for (std::size_t i = 0; i < replaced; ++i) faces_[visible.faces[i]] = faces_[--face_count_];
     points_[size_] = added;
     const auto apex = static_cast<std::uint8_t>(size_);
-    visible.ForEachRimEdge(size_, [&](std::uint8_t from, std::uint8_t to) { AddFace(from, to, apex); });
+    hole.ForEachRimEdge([&](std::uint8_t from, std::uint8_t to) { AddFace(from, to, apex); });
     ++size_;
+    FindNearest();
     return true;
   }
 
@@ -128,30 +128,46 @@ class EpaPolytope {
   auto End() const { return faces_.begin() + static_cast<std::ptrdiff_t>(face_count_); }
   auto End() { return faces_.begin() + static_cast<std::ptrdiff_t>(face_count_); }
 
-  /// The faces that a point is in front of, or in the plane of, and the edges of those of them that it replaces.
+  /// The faces that a point is in front of, or in the plane of.
   struct Visible {
+    std::array<std::uint8_t, kMaxFaces> faces;  ///< Their places; the highest first.
+    std::size_t size = 0;
+  };
+
+  /// The edges of the faces that a point replaces.
+  struct Hole {
     void AddEdges(const Face& face) {
-      for (std::size_t i = 0; i < 3; ++i) edges[face.corners[i]] |= Bit(face.corners[(i + 1) % 3]);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint8_t from = face.corners[i], to = face.corners[(i + 1) % 3];
+        if ((corners & Bit(from)) == 0) edges[from] = 0;
+        corners |= Bit(from);
+        edges[from] |= Bit(to);
+        rim_size += HasEdge(to, from) ? -1 : 1;
+      }
+    }
+    bool HasEdge(std::uint8_t from, std::uint8_t to) const {
+      return (corners & Bit(from)) != 0 && (edges[from] & Bit(to)) != 0;
     }
     /// Whether a face has an edge in common with those whose edges were added.
     bool IsNeighbour(const Face& face) const {
       const auto [a, b, c] = face.corners;
-      return ((edges[b] & Bit(a)) | (edges[c] & Bit(b)) | (edges[a] & Bit(c))) != 0;
+      return HasEdge(b, a) || HasEdge(c, b) || HasEdge(a, c);
     }
     /// Visits the edges between a replaced face and one that stays.
     template <class Visit>
-    void ForEachRimEdge(std::size_t points, const Visit& visit) const {
-      for (std::uint8_t from = 0; from < points; ++from) {
+    void ForEachRimEdge(const Visit& visit) const {
+      for (std::uint64_t left = corners; left != 0; left &= left - 1) {
+        const auto from = static_cast<std::uint8_t>(std::countr_zero(left));
         for (std::uint64_t rest = edges[from]; rest != 0; rest &= rest - 1) {
           const auto to = static_cast<std::uint8_t>(std::countr_zero(rest));
-          if ((edges[to] & Bit(from)) == 0) visit(from, to);
+          if (!HasEdge(to, from)) visit(from, to);
         }
       }
     }
 
-    std::array<std::uint8_t, kMaxFaces> faces;  // Their places; the highest first.
-    std::size_t size = 0;
-    std::array<std::uint64_t, kMaxPoints> edges{};  // Bit b of [a]: a replaced face has the edge from a to b.
+    std::array<std::uint64_t, kMaxPoints> edges;  ///< Bit b of [a], for corners a: a face has the edge from a to b.
+    std::uint64_t corners = 0;                    ///< Bit a: an edge begins at point a.
+    std::size_t rim_size = 0;                     ///< Edges of one face alone.
   };
 
   /// @return the height of a point over the plane that it is farthest in front of, metres.
@@ -173,20 +189,27 @@ class EpaPolytope {
 
   /// Of the visible faces, those that hang together with the first one: moved to the beginning, their edges added.
   /// @return how many there are.
-  std::size_t CollectReplaced(Visible& visible) const {
-    visible.AddEdges(faces_[visible.faces[0]]);
+  std::size_t CollectReplaced(Visible& visible, Hole& hole) const {
+    hole.AddEdges(faces_[visible.faces[0]]);
     std::size_t count = 1;
     for (bool has_grown = true; has_grown;) {
       has_grown = false;
       for (std::size_t i = count; i < visible.size; ++i) {
         const Face& face = faces_[visible.faces[i]];
-        if (!visible.IsNeighbour(face)) continue;
-        visible.AddEdges(face);
+        if (!hole.IsNeighbour(face)) continue;
+        hole.AddEdges(face);
         std::swap(visible.faces[i], visible.faces[count++]);
         has_grown = true;
       }
     }
     return count;
+  }
+
+  void FindNearest() {
+    nearest_ = 0;
+    for (std::size_t i = 1; i < face_count_; ++i) {
+      if (faces_[i].distance < faces_[nearest_].distance) nearest_ = i;
+    }
   }
 
   static std::uint64_t Bit(std::uint8_t point) { return std::uint64_t(1) << point; }
@@ -200,24 +223,24 @@ class EpaPolytope {
     const Vector3<S> to_b = points_[b].point - origin, to_c = points_[c].point - origin;
     const Vector3<S> cross = to_b.cross(to_c);
     const S area = cross.norm();  // Twice.
-    const S longest_sq = std::max({to_b.squaredNorm(), to_c.squaredNorm(), (to_c - to_b).squaredNorm()});
-    const S width = longest_sq > 0 ? area / std::sqrt(longest_sq) : S(0);
+    const S longest = std::sqrt(std::max({to_b.squaredNorm(), to_c.squaredNorm(), (to_c - to_b).squaredNorm()}));
     // Narrower than that, a face's plane has lost half of its digits.
-    if (width * width > roundoff_ * reach_) {
-      face.normal = cross / area;
+    if (area * area > roundoff_ * reach_ * longest * longest) {
+      const S inverse = 1 / area;
+      face.normal = inverse * cross;
       face.distance = face.normal.dot(origin);
-      face.slack = roundoff_ * (1 + reach_ / width);
+      face.slack = roundoff_ * (1 + reach_ * longest * inverse);
     } else {
       face.normal.setZero();
       face.distance = std::numeric_limits<S>::infinity();
       face.slack = 0;
-      widest_sliver_ = std::max(widest_sliver_, width);
+      if (longest > 0) widest_sliver_ = std::max(widest_sliver_, area / longest);
     }
   }
 
   S roundoff_, reach_;
   S widest_sliver_ = 0;  // That there ever was.
-  std::size_t size_, face_count_ = 0;
+  std::size_t size_, face_count_ = 0, nearest_ = 0;
   std::array<Feature, kMaxPoints> points_;
   std::array<Face, kMaxFaces> faces_;
 };
