@@ -4,7 +4,8 @@
 //  * Convex radius. C = K + ball(R), K the difference of the cores: the signed distance of C is that of K less R, along
 //    the same normal. So all is done on K, and polytopes with margins end exactly.
 //  * Start. The normal of the growth distance, and the basis of its inner approximation: for polytopes in contact face
-//    on face they are the answer already, and no support function is evaluated.
+//    on face they are the answer already, and no support function is evaluated. Of curved cores the basis names pieces,
+//    and Newton's first step is taken on all of them.
 //  * Apart. With the origin outside of K the problem is convex: GJK. The nearest point of a simplex gives the next
 //    direction, whose supporting plane bounds the distance from below.
 //  * Overlap. With the origin inside, every face of K that holds the origin's foot is a local minimum, and nothing but
@@ -61,12 +62,15 @@ class SignedDistanceSearch : private distance_internal::PlaneSearch<Set1, Set2> 
     if (!difference_.IsValid()) return Status::kInvalidInput;
     const Point normal = difference_.DirectionFromWorld(growth.normal).normalized();
     if (!normal.allFinite()) return Status::kInvalidInput;
-    if (warm_start != nullptr) AddBasis(*warm_start);
+    if constexpr (Difference::kHasFeatures) {
+      if (warm_start != nullptr) AddBasis(*warm_start, normal);
+    }
     if (simplex_.Size() == 0 || !IsCertain(growth.status)) {
       simplex_.Add(Cut(normal));
     } else {
       best_.normal = normal;
       best_.height = -growth.separation - difference_.ConvexRadius();
+      is_news_ = true;
     }
     return RunGjk();
   }
@@ -78,8 +82,11 @@ class SignedDistanceSearch : private distance_internal::PlaneSearch<Set1, Set2> 
     if (!difference_.IsValid()) return Status::kInvalidInput;
     is_apart_ = true;
     const bool is_known = last.normal_1.squaredNorm() > S(0.5);  // Else it is zero.
-    simplex_.Add(Cut(is_known ? difference_.DirectionToFrame(last.normal_1).normalized() : Point(Point::UnitZ())));
+    const Point normal = is_known ? difference_.DirectionToFrame(last.normal_1).normalized() : Point(Point::UnitZ());
+    const Feature support = Cut(normal);
     if (Separation() > settings_.separation_limit) return Status::kSeparated;
+    if constexpr (Difference::kHasFeatures) AddBasis(last, normal);
+    if (simplex_.Size() == 0) simplex_.Add(support);
     return RunGjk();
   }
 
@@ -115,16 +122,21 @@ class SignedDistanceSearch : private distance_internal::PlaneSearch<Set1, Set2> 
     return status == Status::kOptimal || status == Status::kStalled || status == Status::kIterationLimit;
   }
 
-  void AddBasis([[maybe_unused]] const WarmStart<S>& warm_start) {
-    if constexpr (Difference::kIsPolytope) {
-      std::array<Feature, 3> basis;
-      std::size_t size = 0;
-      for (std::size_t i = 0; i < static_cast<std::size_t>(warm_start.size); ++i) {
-        if (!difference_.HasFeatures(warm_start.features_1[i], warm_start.features_2[i])) continue;
-        basis[size++] = ToDistanceOrigin(difference_.FromVertices(warm_start.features_1[i], warm_start.features_2[i]));
+  /// The points that the growth distance ended at; of curved cores those of the same pieces along its normal.
+  void AddBasis(const WarmStart<S>& warm_start, const Point& normal) requires(Difference::kHasFeatures) {
+    std::array<Feature, 3> basis;
+    std::size_t size = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(warm_start.size); ++i) {
+      const FeatureId feature_1 = warm_start.features_1[i], feature_2 = warm_start.features_2[i];
+      if (!difference_.HasFeatures(feature_1, feature_2)) continue;
+      if constexpr (Difference::kIsPolytope) {
+        basis[size++] = ToDistanceOrigin(difference_.FromVertices(feature_1, feature_2));
+      } else {
+        const auto piece = difference_.AlongTangents(feature_1, feature_2, normal, TangentsAt(normal));
+        basis[size++] = ToDistanceOrigin(piece.support);
       }
-      simplex_ = {basis, size};
     }
+    simplex_ = {basis, size};
   }
 
   bool IsOptimal() const { return nearest_ + best_.height <= Tolerance(); }
