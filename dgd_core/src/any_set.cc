@@ -75,6 +75,16 @@ SignedDistanceResult<double> UpdateDistance(const AnySet& set_1, const Pose<doub
   });
 }
 
+Gradient<double> GrowthDistanceGradient(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
+                                        const Pose<double>& pose_2, const Result<double>& result) {
+  return GrowthDistanceGradient(Erase(set_1), pose_1, Erase(set_2), pose_2, result);
+}
+
+Gradient<double> SignedDistanceGradient(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
+                                        const Pose<double>& pose_2, const SignedDistanceResult<double>& result) {
+  return SignedDistanceGradient(Erase(set_1), pose_1, Erase(set_2), pose_2, result);
+}
+
 SignedDistanceResult<double> UpdateOnReferenceFace(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
                                                    const Pose<double>& pose_2, const Settings<double>& settings,
                                                    double angular_tolerance, ReferenceSide side,

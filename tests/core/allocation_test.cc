@@ -5,7 +5,9 @@
 #include <atomic>
 #include <cstdlib>
 #include <new>
+#include <variant>
 
+#include "dgd/gradient.h"
 #include "support/random_sets.h"
 #include "support/solver_pair.h"
 
@@ -80,6 +82,9 @@ void CountInQueries() {
         (void)pair.GrowthDistance({.max_iterations = 1});
         (void)pair.GrowthDistance({.separation_limit = S(1e-3)});
         (void)pair.Certify(cold);
+        std::visit([&](const auto& a,
+                       const auto& b) { (void)dgd::GrowthDistanceGradient(a, pair.pose_1, b, pair.pose_2, cold); },
+                   pair.set_1, pair.set_2);
         EXPECT_EQ(allocations, before) << Name(type_1) << " " << Name(type_2) << " " << rounded;
       }
     }

@@ -60,28 +60,6 @@ static_assert(dgd::VertexCore<Tetrahedron>);
 
 namespace {
 
-TEST(ReadmeCore, Gradient_IsTheDifferenceQuotient) {
-  const dgd::RoundedSet set_1{dgd::Cone<double>(0.5, 1)};
-  const dgd::RoundedSet set_2{dgd::Ellipsoid<double>({0.2, 0.3, 0.4})};
-  const dgd::Pose<double> pose_1;
-  dgd::Pose<double> pose_2;
-  pose_2.translation = {0.4, 0.9, 0.3};
-  const dgd::Result<double> result = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2);
-
-  const Eigen::Vector3d between_centers = pose_2 * set_2.core.Center() - pose_1 * set_1.core.Center();
-  const Eigen::Vector3d gradient = result.normal / (result.normal.dot(between_centers) - result.separation);
-
-  const double step = 1e-4;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto moved = [&](double way) {
-      dgd::Pose<double> pose = pose_2;
-      pose.translation[axis] += way;
-      return dgd::GrowthDistance(set_1, pose_1, set_2, pose, {.relative_tolerance = 1e-12}).GrowthDistance();
-    };
-    EXPECT_NEAR(gradient[axis], (moved(step) - moved(-step)) / (2 * step), 1e-3) << axis;
-  }
-}
-
 TEST(ReadmeCore, SignedDistance_IsBetweenTheNearestPoints) {
   const dgd::RoundedSet set_1{dgd::Box<double>({0.5, 0.5, 0.5})};
   const dgd::RoundedSet set_2 = dgd::Sphere(0.25);
@@ -226,8 +204,9 @@ TEST(ReadmeCore, Certificate_HoldsForTheResult) {
 // So that the README's code is the code that is compiled and tested here.
 TEST(ReadmeCore, Snippets_AreTheseWordForWord) {
   const std::string folder = DGD_TEST_CORE_FOLDER;
-  const int snippets = dgd_test::ExpectSnippetsIn(folder + "/../../dgd_core/README.md",
-                                                  {folder + "/readme/trajectory.cc", folder + "/readme_core_test.cc"});
+  const int snippets = dgd_test::ExpectSnippetsIn(
+      folder + "/../../dgd_core/README.md",
+      {folder + "/readme/trajectory.cc", folder + "/readme/gradient.cc", folder + "/readme_core_test.cc"});
   EXPECT_EQ(snippets, 12);
 }
 

@@ -14,6 +14,7 @@
 #include "dgd/contact/reference_face.h"
 #include "dgd/convex_set.h"
 #include "dgd/export.h"
+#include "dgd/gradient.h"
 #include "dgd/motion.h"
 #include "dgd/query_types.h"
 #include "dgd/shapes/box.h"
@@ -126,6 +127,13 @@ DGD_EXPORT SignedDistanceResult<double> SignedDistance(const AnySet& set_1, cons
 DGD_EXPORT SignedDistanceResult<double> UpdateDistance(const AnySet& set_1, const Pose<double>& pose_1,
                                                        const AnySet& set_2, const Pose<double>& pose_2,
                                                        const Settings<double>& settings, WarmStart<double>& state);
+
+/// As GrowthDistanceGradient() and SignedDistanceGradient() of gradient.h.
+DGD_EXPORT Gradient<double> GrowthDistanceGradient(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
+                                                   const Pose<double>& pose_2, const Result<double>& result);
+DGD_EXPORT Gradient<double> SignedDistanceGradient(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
+                                                   const Pose<double>& pose_2,
+                                                   const SignedDistanceResult<double>& result);
 
 /// As UpdateOnReferenceFace() of reference_face.h.
 DGD_EXPORT SignedDistanceResult<double> UpdateOnReferenceFace(const AnySet& set_1, const Pose<double>& pose_1,
