@@ -5,6 +5,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "support/pairs/set_numbers.h"
