@@ -71,6 +71,12 @@ class SignedDistanceSearch : private distance_internal::PlaneSearch<Set1, Set2> 
       best_.normal = normal;
       best_.height = -growth.separation - difference_.ConvexRadius();
       is_news_ = true;
+      if constexpr (Difference::kIsSmooth) {
+        if (best_.height > kDeep * size_) {
+          simplex_ = {};
+          simplex_.Add(Cut(Point::UnitZ()));
+        }
+      }
     }
     return RunGjk();
   }
@@ -145,16 +151,19 @@ class SignedDistanceSearch : private distance_internal::PlaneSearch<Set1, Set2> 
   /// With the origin inside K: whether no normal elsewhere is much better.
   bool IsBestElsewhere() const { return best_.height + nearest_ <= kElsewhere * best_.height; }
 
-  /// Newton's step from the simplex's normal on all pieces that the simplex is on, if the last plane was the best; and
-  /// the simplex goes with them if that brings it nearer. Else the simplex's normal.
+  /// Newton's step on all pieces that the simplex is on, from the last plane if that is the best and separates the
+  /// cores; and the simplex goes with them if that brings it nearer. Else the simplex's normal: of cores that are near
+  /// each other it is no good start, for its error is the points' over their distance.
   Point NextNormalApart() {
     const Point own = simplex_.Normal();
     if constexpr (Difference::kIsSmooth) {
-      if (!std::exchange(is_news_, false)) return own;
-      const Tangents tangents = TangentsAt(own);
-      const Pieces pieces = PiecesOfSimplex(own, tangents);
+      // Where the cores may overlap, the steps would only gather the points where an expanding polytope needs few.
+      if (best_.height > 0 || !std::exchange(is_news_, false)) return own;
+      const Point from = best_.normal;
+      const Tangents tangents = TangentsAt(from);
+      const Pieces pieces = PiecesOfSimplex(from, tangents);
       Point next;
-      if (!StepOnKink<S>(own, tangents, pieces.models, next)) return own;
+      if (!StepOnKink<S>(from, tangents, pieces.models, next)) return own;
       // Of a single piece, the next support point will do.
       if (pieces.models.size > 1) MoveSimplex(pieces, next, tangents);
       return next;
@@ -284,6 +293,12 @@ class SignedDistanceSearch : private distance_internal::PlaneSearch<Set1, Set2> 
 
   /// With the origin inside K.
   DGD_NOINLINE Status RunEpa(const std::array<Feature, 4>& corners) {
+    if constexpr (Difference::kIsSmooth) {
+      // The growth distance's plane has no support point yet, which Newton's first step needs.
+      const Point normal = best_.normal;
+      best_.height = std::numeric_limits<S>::infinity();
+      Cut(normal);
+    }
     nearest_ = std::numeric_limits<S>::infinity();
     EpaPolytope<S> polytope(corners, SupportError(), size_);
     const auto finish = [&](Status status) { return Finish(status, polytope.NearestTo(best_.height * best_.normal)); };
@@ -382,6 +397,9 @@ class SignedDistanceSearch : private distance_internal::PlaneSearch<Set1, Set2> 
     return IsOptimal() ? Status::kOptimal : status;
   }
 
+  /// Of the size: smooth cores that overlap by more are searched from the centres' line, since an expanding polytope
+  /// that begins with points all around ends sooner than one that begins with those of the growth distance.
+  static constexpr S kDeep = S(1e-4);
   /// What is asked for beyond the tolerance: two digits of the points.
   static constexpr S kForPoints = S(1e-4);
   /// A tetrahedron that is thicker than so many units of roundoff has faces whose normals keep some digits.
