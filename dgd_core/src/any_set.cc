@@ -67,6 +67,14 @@ SignedDistanceResult<double> SignedDistance(const AnySet& set_1, const Pose<doub
   });
 }
 
+SignedDistanceResult<double> SignedDistance(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
+                                            const Pose<double>& pose_2, const Settings<double>& settings,
+                                            WarmStart<double>* follow) {
+  return Dispatch(set_1, set_2, settings, [&](auto solver, const auto& a, const auto& b, const auto& for_pair) {
+    return solver.SignedDistance(a, pose_1, b, pose_2, for_pair, follow);
+  });
+}
+
 SignedDistanceResult<double> UpdateDistance(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
                                             const Pose<double>& pose_2, const Settings<double>& settings,
                                             WarmStart<double>& state) {

@@ -18,6 +18,9 @@ struct PairSolver {
                                                      const Pose<double>& pose_2, const Result<double>& growth,
                                                      const WarmStart<double>* warm_start,
                                                      const Settings<double>& settings, WarmStart<double>* follow);
+  static SignedDistanceResult<double> SignedDistance(const Set1& set_1, const Pose<double>& pose_1, const Set2& set_2,
+                                                     const Pose<double>& pose_2, const Settings<double>& settings,
+                                                     WarmStart<double>* follow);
   static SignedDistanceResult<double> UpdateDistance(const Set1& set_1, const Pose<double>& pose_1, const Set2& set_2,
                                                      const Pose<double>& pose_2, const Settings<double>& settings,
                                                      WarmStart<double>& state);

@@ -34,6 +34,14 @@ SignedDistanceResult<double> PairSolver<Set1, Set2>::SignedDistance(const Set1& 
 }
 
 template <class Set1, class Set2>
+SignedDistanceResult<double> PairSolver<Set1, Set2>::SignedDistance(const Set1& set_1, const Pose<double>& pose_1,
+                                                                    const Set2& set_2, const Pose<double>& pose_2,
+                                                                    const Settings<double>& settings,
+                                                                    WarmStart<double>* follow) {
+  return dgd::SignedDistance(set_1, pose_1, set_2, pose_2, settings, follow);
+}
+
+template <class Set1, class Set2>
 SignedDistanceResult<double> PairSolver<Set1, Set2>::UpdateDistance(const Set1& set_1, const Pose<double>& pose_1,
                                                                     const Set2& set_2, const Pose<double>& pose_2,
                                                                     const Settings<double>& settings,

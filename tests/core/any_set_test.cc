@@ -126,6 +126,37 @@ TEST_F(AnySetTest, WarmStartAndDistanceOfTheLastFrame_GoOn) {
   EXPECT_NEAR(followed.separation, 0.05, 1e-12);
 }
 
+// By whichever way is the shorter one: with no growth distance before it, the signed distance is the same.
+TEST_F(AnySetTest, SignedDistanceAlone_IsThatByWayOfTheGrowthDistance) {
+  const std::vector<NamedSet> sets = MakeSets();
+  int apart = 0, fewer = 0;
+  for (const NamedSet& a : sets) {
+    for (const NamedSet& b : sets) {
+      SCOPED_TRACE(a.name + " and " + b.name);
+      for (int i = 0; i < 8; ++i) {
+        const Pose pose_a = RandomPose(0.3), pose_b = RandomPose(1.2);
+        dgd::WarmStart<double> state, follow;
+        const auto growth = dgd::GrowthDistance(a.set, pose_a, b.set, pose_b, {}, &state);
+        const auto by_growth = dgd::SignedDistance(a.set, pose_a, b.set, pose_b, growth, &state);
+        const auto alone = dgd::SignedDistance(a.set, pose_a, b.set, pose_b, dgd::Settings<double>{}, &follow);
+        if (by_growth.status != dgd::Status::kOptimal) continue;
+        EXPECT_EQ(alone.status, dgd::Status::kOptimal);
+        const double gap = by_growth.upper_bound - by_growth.separation + alone.upper_bound - alone.separation;
+        EXPECT_NEAR(alone.separation, by_growth.separation, gap + 1e-14);
+        if (!(alone.separation > 0.01)) continue;
+        EXPECT_NEAR(alone.separation, by_growth.separation, 1e-8);
+        ++apart;
+        fewer += alone.iterations < growth.iterations + by_growth.iterations;
+        const auto updated = dgd::UpdateDistance(a.set, pose_a, b.set, pose_b, {}, follow);
+        EXPECT_EQ(updated.status, dgd::Status::kOptimal);
+        EXPECT_NEAR(updated.separation, alone.separation, 1e-8);
+      }
+    }
+  }
+  EXPECT_GT(apart, 300);
+  EXPECT_GT(fewer, apart / 4);
+}
+
 // A query does not ask for more than the core's accuracy, or it would not end.
 TEST_F(AnySetTest, CustomCore_IsSolvedToItsAccuracy) {
   const dgd::Box<double> box({0.5, 0.5, 0.5});

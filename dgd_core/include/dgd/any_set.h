@@ -123,6 +123,12 @@ DGD_EXPORT SignedDistanceResult<double> SignedDistance(const AnySet& set_1, cons
                                                        const Settings<double>& settings = {},
                                                        WarmStart<double>* follow = nullptr);
 
+/// As SignedDistance() of signed_distance.h without a growth distance.
+DGD_EXPORT SignedDistanceResult<double> SignedDistance(const AnySet& set_1, const Pose<double>& pose_1,
+                                                       const AnySet& set_2, const Pose<double>& pose_2,
+                                                       const Settings<double>& settings = {},
+                                                       WarmStart<double>* follow = nullptr);
+
 /// As UpdateDistance() of signed_distance.h.
 DGD_EXPORT SignedDistanceResult<double> UpdateDistance(const AnySet& set_1, const Pose<double>& pose_1,
                                                        const AnySet& set_2, const Pose<double>& pose_2,

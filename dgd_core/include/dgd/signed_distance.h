@@ -6,11 +6,13 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 #include "dgd/assert.h"
 #include "dgd/distance/signed_distance_search.h"
 #include "dgd/distance/warm_gjk.h"
+#include "dgd/growth_distance.h"
 #include "dgd/inlining.h"
 #include "dgd/query_types.h"
 
@@ -59,6 +61,22 @@ template <class S>
 bool IsFinite(const SignedDistanceResult<S>& result) {
   return std::isfinite(result.normal.sum() + result.separation + result.witness_1.sum() + result.witness_2.sum());
 }
+
+/// What a search has found that ended with this status.
+template <class Search, class State>
+SignedDistanceResult<typename Search::S> FoundBy(const Search& search, Status status, State* follow) {
+  SignedDistanceResult<typename Search::S> result;
+  result.status = status;
+  result.iterations = search.Iterations();
+  if (status == Status::kInvalidInput) return result;
+  Report(search, result);
+  if (!IsFinite(result)) {
+    result.status = Status::kInvalidInput;  // A support function gave a value that is not finite.
+    return result;
+  }
+  if (follow != nullptr) search.Remember(status, *follow);
+  return result;
+}
 }  // namespace signed_distance_internal
 
 /// The signed distance of two sets in space, flat ones too.
@@ -76,17 +94,28 @@ SignedDistanceResult<typename Set1::Scalar> SignedDistance(const Set1& set_1, co
                                                            const Settings<typename Set1::Scalar>& settings = {},
                                                            WarmStartOf<Set1>* follow = nullptr) {
   SignedDistanceSearch<Set1, Set2> search(set_1, pose_1, set_2, pose_2, settings);
-  SignedDistanceResult<typename Set1::Scalar> result;
-  result.status = search.Solve(growth, warm_start);
-  result.iterations = search.Iterations();
-  if (result.status == Status::kInvalidInput) return result;
-  signed_distance_internal::Report(search, result);
-  if (!signed_distance_internal::IsFinite(result)) {
-    result.status = Status::kInvalidInput;  // A support function gave a value that is not finite.
+  const Status status = search.Solve(growth, warm_start);
+  return signed_distance_internal::FoundBy(search, status, follow);
+}
+
+/// The same of two sets that no growth distance is known of: by GJK from the line of the centres to a point or a
+/// segment (as of a capsule) and between curved cores that are far apart, else by way of GrowthDistance(). In 0.5 to
+/// 0.8 of the time that way takes alone, where it is not taken.
+template <class Set1, class Set2>
+SignedDistanceResult<typename Set1::Scalar> SignedDistance(const Set1& set_1, const PoseOf<Set1>& pose_1,
+                                                           const Set2& set_2, const PoseOf<Set1>& pose_2,
+                                                           const Settings<typename Set1::Scalar>& settings = {},
+                                                           WarmStartOf<Set1>* follow = nullptr) {
+  SignedDistanceSearch<Set1, Set2> search(set_1, pose_1, set_2, pose_2, settings);
+  const std::optional<Status> status = search.TryFromCenters();
+  if (!status) {
+    WarmStartOf<Set1> warm_start;
+    const ResultOf<Set1> growth = GrowthDistance(set_1, pose_1, set_2, pose_2, settings, &warm_start);
+    auto result = SignedDistance(set_1, pose_1, set_2, pose_2, growth, &warm_start, settings, follow);
+    result.iterations += search.Iterations() + growth.iterations;
     return result;
   }
-  if (follow != nullptr) search.Remember(result.status, *follow);
-  return result;
+  return signed_distance_internal::FoundBy(search, *status, follow);
 }
 
 /// The same without a growth distance, while cores stay apart from frame to frame: of sets that are apart, or overlap

@@ -26,6 +26,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "dgd/assert.h"
@@ -78,6 +79,17 @@ class SignedDistanceSearch : private distance_internal::PlaneSearch<Set1, Set2> 
         }
       }
     }
+    return RunGjk();
+  }
+
+  /// Without a growth distance, from the line of the centres, where that is the shorter way: to a point or a segment,
+  /// and of curved cores that are far apart.
+  /// @return nothing if it is not.
+  std::optional<Status> TryFromCenters() {
+    if (!difference_.IsValid()) return Status::kInvalidInput;
+    if (!Difference::kIsSmooth && !difference_.HasThinCore()) return std::nullopt;
+    simplex_.Add(Cut(Point::UnitZ()));
+    if (Difference::kIsSmooth && !(best_.height < -kFar * size_)) return std::nullopt;
     return RunGjk();
   }
 
@@ -400,6 +412,8 @@ class SignedDistanceSearch : private distance_internal::PlaneSearch<Set1, Set2> 
   /// Of the size: smooth cores that overlap by more are searched from the centres' line, since an expanding polytope
   /// that begins with points all around ends sooner than one that begins with those of the growth distance.
   static constexpr S kDeep = S(1e-4);
+  /// Of the size, along the line of the centres.
+  static constexpr S kFar = S(0.02);
   /// What is asked for beyond the tolerance: two digits of the points.
   static constexpr S kForPoints = S(1e-4);
   /// A tetrahedron that is thicker than so many units of roundoff has faces whose normals keep some digits.

@@ -190,6 +190,14 @@ class MinkowskiDifference {
                       SupportNear(set_2_.core, Point(to_frame_2_.transpose() * -direction), hint_2), normal);
   }
 
+  /// Whether this is a polytope, and one of the cores is a point or a segment.
+  bool HasThinCore() const {
+    if constexpr (kIsPolytope) {
+      return std::min(FeatureCount(set_1_.core), FeatureCount(set_2_.core)) <= 2;
+    } else {
+      return false;
+    }
+  }
   /// Whether both cores have these features; they may have changed since a previous query named them.
   bool HasFeatures(FeatureId feature_1, FeatureId feature_2) const requires kHasFeatures {
     return feature_1 < FeatureCount(set_1_.core) && feature_2 < FeatureCount(set_2_.core);
