@@ -4,7 +4,7 @@
 #   sh tests/sanitize.sh asan [CTEST ARGUMENTS]   the whole suite: address and undefined behaviour; an hour
 #   sh tests/sanitize.sh quick [CTEST ARGUMENTS]  of it the plugin's tests in float and the quicker fuzzers' corpus, with
 #                                                 shared libraries; minutes
-#   sh tests/sanitize.sh tsan [CTEST ARGUMENTS]   the tests with threads, and a heap of 1000 bodies on two of them
+#   sh tests/sanitize.sh tsan [CTEST ARGUMENTS]   the tests with threads, and a scene of 250 bodies on two of them
 #
 # Exit status: 0; 1 a test failed or cannot be built; 2 wrong arguments.
 set -eu
@@ -35,7 +35,7 @@ case ${1-} in
     tests='test_plugin_float\.|test_soak|big_scenes_threads'
     options=
     # Of the plugin's tests, those with threads.
-    export GTEST_FILTER="${GTEST_FILTER:-Threads*:DgdSoak*}"
+    export GTEST_FILTER="${GTEST_FILTER:-CollisionDispatcher*:Threads*:DgdSoak*}"
     ;;
   *)
     sed -n '2,/^set -eu/{/^#/s/^# \{0,1\}//p}' "$0" >&2

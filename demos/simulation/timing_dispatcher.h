@@ -12,32 +12,36 @@
 
 namespace dgd_demos {
 
-class TimingDispatcher : public btCollisionDispatcher {
+/// What the last dispatch of all pairs took.
+class DispatchCost {
  public:
-  using btCollisionDispatcher::btCollisionDispatcher;
+  /// Wall time.
+  std::chrono::duration<double, std::micro> last_duration() const { return last_duration_; }
+  /// Pairs that were handed to an algorithm. Bullet skips pairs of which both bodies sleep.
+  int last_queries() const { return last_queries_; }
+
+ protected:
+  std::chrono::duration<double, std::micro> last_duration_{};
+  int last_queries_ = 0;
+};
+
+/// @tparam Dispatcher  btCollisionDispatcher, or one that derives from it.
+template <class Dispatcher>
+class TimingDispatcherOf : public Dispatcher, public DispatchCost {
+ public:
+  using Dispatcher::Dispatcher;
 
   void dispatchAllCollisionPairs(btOverlappingPairCache* pair_cache, const btDispatcherInfo& info,
                                  btDispatcher* dispatcher) override {
     if (recorder_ != nullptr) RecordStep(pair_cache->getOverlappingPairArray());
     const auto start = std::chrono::steady_clock::now();
-    Dispatch(pair_cache, info, dispatcher);
+    Dispatcher::dispatchAllCollisionPairs(pair_cache, info, dispatcher);
     last_duration_ = std::chrono::steady_clock::now() - start;
     last_queries_ = CountQueries(pair_cache->getOverlappingPairArray());
   }
 
   /// From now on, each dispatch is a step of the recorder's, which must outlive this.
   void RecordInto(dgd_bullet::Recorder& recorder) { recorder_ = &recorder; }
-
-  /// Wall time of the last dispatch of all pairs.
-  std::chrono::duration<double, std::micro> last_duration() const { return last_duration_; }
-  /// Pairs that the last dispatch handed to an algorithm. Bullet skips pairs of which both bodies sleep.
-  int last_queries() const { return last_queries_; }
-
- protected:
-  /// What is timed.
-  virtual void Dispatch(btOverlappingPairCache* pair_cache, const btDispatcherInfo& info, btDispatcher* dispatcher) {
-    btCollisionDispatcher::dispatchAllCollisionPairs(pair_cache, info, dispatcher);
-  }
 
  private:
   int CountQueries(const btBroadphasePairArray& pairs) {
@@ -63,13 +67,13 @@ class TimingDispatcher : public btCollisionDispatcher {
     for (int i = 0; i < pairs.size(); ++i) {
       const auto* first = static_cast<const btCollisionObject*>(pairs[i].m_pProxy0->m_clientObject);
       const auto* second = static_cast<const btCollisionObject*>(pairs[i].m_pProxy1->m_clientObject);
-      if (needsCollision(first, second)) use(*first, *second);
+      if (this->needsCollision(first, second)) use(*first, *second);
     }
   }
 
-  std::chrono::duration<double, std::micro> last_duration_{};
-  int last_queries_ = 0;
   dgd_bullet::Recorder* recorder_ = nullptr;
 };
+
+using TimingDispatcher = TimingDispatcherOf<btCollisionDispatcher>;
 
 }  // namespace dgd_demos

@@ -1,5 +1,7 @@
 #include "bench/bench_world.h"
 
+#include <dgd_bullet/collision_dispatcher.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -11,10 +13,21 @@ namespace dgd_bench {
 
 BenchWorld::BenchWorld(dgd_demos::Narrowphase narrowphase, int threads)
     : configuration_(dgd_demos::MakeCollisionConfiguration(narrowphase)),
-      dispatcher_(configuration_.get(), threads),
-      world_(&dispatcher_, &broadphase_, &solver_, configuration_.get()),
+      cost_(MakeDispatcher(threads)),
+      world_(dispatcher_.get(), &broadphase_, &solver_, configuration_.get()),
       floor_([](double, double) { return 0.0; }) {
   world_.setGravity(Vec(0, 0, -9.81));
+}
+
+const dgd_demos::DispatchCost& BenchWorld::MakeDispatcher(int threads) {
+  const auto make = [this]<class Dispatcher>(std::unique_ptr<Dispatcher> dispatcher) -> const dgd_demos::DispatchCost& {
+    const Dispatcher& cost = *dispatcher;
+    dispatcher_ = std::move(dispatcher);
+    return cost;
+  };
+  if (threads == 0) return make(std::make_unique<dgd_demos::TimingDispatcher>(configuration_.get()));
+  using Dispatcher = dgd_demos::TimingDispatcherOf<dgd_bullet::CollisionDispatcher>;
+  return make(std::make_unique<Dispatcher>(configuration_.get(), dgd_bullet::DispatcherOptions{.threads = threads}));
 }
 
 BenchWorld::~BenchWorld() {
@@ -54,7 +67,7 @@ StepCost BenchWorld::Step() {
   const auto start = std::chrono::steady_clock::now();
   world_.stepSimulation(btScalar(kTimeStep), 0);
   const std::chrono::duration<double, std::milli> duration = std::chrono::steady_clock::now() - start;
-  return {dispatcher_.last_duration().count() / 1000, duration.count(), dispatcher_.last_queries()};
+  return {cost_.last_duration().count() / 1000, duration.count(), cost_.last_queries()};
 }
 
 WorldState BenchWorld::State() const {

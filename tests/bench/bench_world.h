@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "bench/threaded_dispatcher.h"
 #include "plugin/rigid_body.h"
 #include "simulation/narrowphase.h"
+#include "simulation/timing_dispatcher.h"
 
 namespace dgd_bench {
 
@@ -34,8 +34,8 @@ class BenchWorld {
   /// Height of the floor at a place of the ground.
   using Floor = std::function<double(double x, double y)>;
 
-  /// @param threads  Among which pairs are shared.
-  explicit BenchWorld(dgd_demos::Narrowphase narrowphase, int threads = 1);
+  /// @param threads  0 for btCollisionDispatcher; else those of dgd_bullet::CollisionDispatcher.
+  explicit BenchWorld(dgd_demos::Narrowphase narrowphase, int threads = 0);
   ~BenchWorld();
   BenchWorld(const BenchWorld&) = delete;
   BenchWorld& operator=(const BenchWorld&) = delete;
@@ -69,9 +69,14 @@ class BenchWorld {
   static constexpr double kTimeStep = 1.0 / 60;
 
  private:
+  /// Makes `dispatcher_`.
+  /// @return what it takes.
+  const dgd_demos::DispatchCost& MakeDispatcher(int threads);
+
   std::vector<std::shared_ptr<void>> kept_;
   std::unique_ptr<btDefaultCollisionConfiguration> configuration_;
-  ThreadedDispatcher dispatcher_;
+  std::unique_ptr<btCollisionDispatcher> dispatcher_;
+  const dgd_demos::DispatchCost& cost_;
   btDbvtBroadphase broadphase_;
   btSequentialImpulseConstraintSolver solver_;
   btDiscreteDynamicsWorld world_;

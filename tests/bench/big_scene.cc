@@ -289,6 +289,30 @@ void BuildHeap(BenchWorld& world) {
   }
 }
 
+/// Hulls of their own, in layers; the more, the wider.
+void BuildHullHeap(BenchWorld& world, int bodies) {
+  world.AddGround(200);
+  Random random(17);
+  const int side = static_cast<int>(std::lround(std::cbrt(2.0 * bodies)));
+  constexpr double kPitch = 1.2;
+  const double half_width = kPitch * side / 2;
+  btBoxShape &wall_x = MakeBox(world, 1, half_width + 2, 10), &wall_y = MakeBox(world, half_width + 2, 1, 10);
+  for (const double sign : {-1.0, 1.0}) {
+    world.Add(wall_x, 0, At(Vec(sign * (half_width + 1), 0, 10)));
+    world.Add(wall_y, 0, At(Vec(0, sign * (half_width + 1), 10)));
+  }
+  for (int i = 0; i < bodies; ++i) {
+    const Eigen::Vector2d place = InGrid(i % (side * side), side, kPitch);
+    const double height = 1 + kPitch * (i / (side * side));
+    world.Add(MakeHull(world, random), 250, At(Vec(place.x(), place.y(), height), RandomTurn(random)));
+  }
+}
+
+template <int bodies>
+void BuildHullHeap(BenchWorld& world) {
+  BuildHullHeap(world, bodies);
+}
+
 }  // namespace
 
 const std::vector<BigScene>& BigScenes() {
@@ -299,7 +323,10 @@ const std::vector<BigScene>& BigScenes() {
       {"hulls_on_mesh", "500 hulls of 12 to 20 points fall onto a triangle mesh", BuildHullsOnMesh},
       {"mixed_on_terrain", "500 shapes of seven types fall onto a heightfield", BuildMixedOnTerrain},
       {"rubble", "a wall of 250 Voronoi cells, and a ball thrown at it", BuildRubble},
-      {"heap", "2000 convex shapes of six types fall into a pit", BuildHeap}};
+      {"heap", "2000 convex shapes of six types fall into a pit", BuildHeap},
+      {"heap_1000_hulls", "1000 hulls of 12 to 20 points fall into a pit", BuildHullHeap<1000>},
+      {"heap_4000_hulls", "4000 of them", BuildHullHeap<4000>},
+      {"heap_8000_hulls", "8000 of them", BuildHullHeap<8000>}};
   return scenes;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "dgd_bullet/collision_configuration.h"
+#include "dgd_bullet/collision_dispatcher.h"
 #include "dgd_bullet/convex_cast.h"
 #include "dgd_bullet/record_file.h"
 #include "dgd_bullet/recorder.h"
@@ -43,6 +44,14 @@ int ContactsOfTwoCubes(btCollisionDispatcher& dispatcher, btCollisionConfigurati
 TEST(ReadmePlugin, OneLine_ReplacesTheConfiguration) {
   dgd_bullet::CollisionConfiguration configuration;  // was: btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher(&configuration);
+  EXPECT_EQ(ContactsOfTwoCubes(dispatcher, configuration), 4);
+}
+
+TEST(ReadmePlugin, TwoThreads_GiveTheSameContacts) {
+  dgd_bullet::CollisionConfiguration configuration;
+  dgd_bullet::DispatcherOptions dispatching;
+  dispatching.threads = 2;
+  dgd_bullet::CollisionDispatcher dispatcher(&configuration, dispatching);  // was: btCollisionDispatcher
   EXPECT_EQ(ContactsOfTwoCubes(dispatcher, configuration), 4);
 }
 
@@ -113,7 +122,7 @@ TEST(ReadmePlugin, Recorder_WritesThePairs) {
 TEST(ReadmePlugin, Snippets_AreTheseWordForWord) {
   const std::string root = DGD_TEST_ROOT;
   const std::vector<std::string> sources = {root + "/tests/plugin/readme_plugin_test.cc"};
-  EXPECT_EQ(dgd_test::ExpectSnippetsIn(root + "/bullet_plugin/README.md", sources), 6);
+  EXPECT_EQ(dgd_test::ExpectSnippetsIn(root + "/bullet_plugin/README.md", sources), 7);
   EXPECT_EQ(dgd_test::ExpectSnippetsIn(root + "/README.md", sources), 1);
 }
 

@@ -15,7 +15,8 @@ std::string Name(Route route) {
   }
 }
 
-Dispatching::Dispatching(Route route, const dgd_bullet::Options& options) {
+Dispatching::Dispatching(Route route, const dgd_bullet::Options& options,
+                         const std::optional<dgd_bullet::DispatcherOptions>& dispatcher) {
   if (route == Route::kConfiguration) {
     auto configuration = std::make_unique<dgd_bullet::CollisionConfiguration>(options);
     ours_ = configuration.get();
@@ -23,7 +24,11 @@ Dispatching::Dispatching(Route route, const dgd_bullet::Options& options) {
   } else {
     configuration_ = std::make_unique<btDefaultCollisionConfiguration>();
   }
-  dispatcher_ = std::make_unique<btCollisionDispatcher>(configuration_.get());
+  if (dispatcher) {
+    dispatcher_ = std::make_unique<dgd_bullet::CollisionDispatcher>(configuration_.get(), *dispatcher);
+  } else {
+    dispatcher_ = std::make_unique<btCollisionDispatcher>(configuration_.get());
+  }
   if (route == Route::kRegister) registered_ = &dgd_bullet::Register(*dispatcher_, options);
 }
 
@@ -32,8 +37,9 @@ dgd_bullet::Statistics Dispatching::statistics() const {
   return registered_ != nullptr ? dgd_bullet::StatisticsOf(*registered_) : dgd_bullet::Statistics{};
 }
 
-TestWorld::TestWorld(Route route, const dgd_bullet::Options& options)
-    : dispatching_(route, options),
+TestWorld::TestWorld(Route route, const dgd_bullet::Options& options,
+                     const std::optional<dgd_bullet::DispatcherOptions>& dispatcher)
+    : dispatching_(route, options, dispatcher),
       world_(&dispatching_.dispatcher(), &broadphase_, &solver_, &dispatching_.configuration()) {
   world_.setGravity(Vec(0, 0, -9.81));
 }

@@ -4,10 +4,12 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "dgd_bullet/collision_configuration.h"
+#include "dgd_bullet/collision_dispatcher.h"
 #include "dgd_bullet/register.h"
 #include "plugin/bullet_oracle.h"
 #include "plugin/rigid_body.h"
@@ -28,7 +30,9 @@ inline dgd_bullet::Options Counting() {
 /// Configuration and dispatcher in one.
 class Dispatching {
  public:
-  explicit Dispatching(Route route, const dgd_bullet::Options& options = {});
+  /// @param dispatcher  For dgd_bullet::CollisionDispatcher in place of btCollisionDispatcher.
+  explicit Dispatching(Route route, const dgd_bullet::Options& options = {},
+                       const std::optional<dgd_bullet::DispatcherOptions>& dispatcher = std::nullopt);
 
   btCollisionDispatcher& dispatcher() { return *dispatcher_; }
   btDefaultCollisionConfiguration& configuration() { return *configuration_; }
@@ -46,7 +50,9 @@ class TestWorld {
  public:
   static constexpr double kTimeStep = 1.0 / 240;
 
-  explicit TestWorld(Route route, const dgd_bullet::Options& options = {});
+  /// @param dispatcher  For dgd_bullet::CollisionDispatcher in place of btCollisionDispatcher.
+  explicit TestWorld(Route route, const dgd_bullet::Options& options = {},
+                     const std::optional<dgd_bullet::DispatcherOptions>& dispatcher = std::nullopt);
   ~TestWorld();
   TestWorld(const TestWorld&) = delete;
   TestWorld& operator=(const TestWorld&) = delete;

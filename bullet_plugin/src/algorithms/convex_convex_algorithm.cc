@@ -31,7 +31,13 @@ void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* bod
                                              btManifoldResult* output) {
   PrefetchNext(*body_0, *body_1);
   if (Recorder* recorder = pair_.options().recorder) recorder->Add(*body_0, *body_1);
-  Process({*body_0, *body_1}, info, *output);
+  const PairBodies bodies{*body_0, *body_1};
+  Process(bodies, info, *output);
+  if (separation_report == nullptr) return;
+  separation_report->algorithm = this;
+  separation_report->is_apart =
+      separation_report->separation > 0 && IsUnchangedBy({bodies, info, *m_dispatcher, *output});
+  separation_report->is_counted = pair_.options().count_pairs;
 }
 
 PairOutcome ConvexConvexAlgorithm::RunPipeline(const PairCall& call) {

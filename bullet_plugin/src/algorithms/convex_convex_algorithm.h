@@ -13,6 +13,7 @@
 #include "pipeline/face_contacts.h"
 #include "pipeline/pair_cache.h"
 #include "pipeline/pair_patch.h"
+#include "pipeline/separating_axis.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
@@ -23,6 +24,11 @@ class ConvexConvexAlgorithm final : public PairAlgorithm {
 
   void processCollision(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1,
                         const btDispatcherInfo& info, btManifoldResult* output) override;
+
+  /// Counts a call that a dispatcher has left out, since the pair is still apart (SeparationReport).
+  void CountApart(const btCollisionShape& shape_0, const btCollisionShape& shape_1) {
+    pair_.narrowphase.Count(shape_0, shape_1, kApart);
+  }
 
   /// Finds the contacts with a triangle of a mesh, instead of processCollision(): the mesh chooses among all triangles'
   /// contacts, and writes them.

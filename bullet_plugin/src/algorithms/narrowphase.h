@@ -14,6 +14,7 @@
 #include "dgd_bullet/linkage.h"
 #include "dgd_bullet/options.h"
 #include "dgd_bullet/statistics.h"
+#include "dispatch/concurrent_pairs.h"
 #include "pipeline/pair_outcome.h"
 #include "record/pair_counters.h"
 #include "shapes/hull_cache.h"
@@ -77,7 +78,7 @@ class Narrowphase {
  private:
   /// Makes a ConvexConvexAlgorithm, or a ConvexPlaneAlgorithm.
   template <class Algorithm>
-  struct PairCreateFunc : btCollisionAlgorithmCreateFunc {
+  struct PairCreateFunc : ConcurrentCreateFunc {
     PairCreateFunc(Narrowphase& shared, bool for_step) : narrowphase(shared), is_for_step(for_step) {}
     btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
                                                    const btCollisionObjectWrapper* body_0,

@@ -39,6 +39,12 @@ class PairAlgorithm : public btCollisionAlgorithm {
 
   PairState pair_;
 
+  /// Whether a call like this one, which finds no contacts either, leaves the pair as it is.
+  bool IsUnchangedBy(const PairCall& call) const {
+    return pair_.options().recorder == nullptr && !pair_.had_contact && pair_.manifold.IsOwn() &&
+           pair_.manifold.IsEmpty() && CanDoWithoutManifold(call) == !pair_.manifold;
+  }
+
  private:
   /// Whether a pair that is not new can be without a manifold in this call, as long as it has no contacts.
   bool CanDoWithoutManifold(const PairCall& call) const;

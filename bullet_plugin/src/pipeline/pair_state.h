@@ -26,16 +26,19 @@ struct PairBodies {
   const btCollisionObjectWrapper &first, &second;
 };
 
+/// Place of a pose along a direction of the world that no scene is built along; metres.
+inline btScalar OrderOf(const btTransform& pose) {
+  const btVector3 direction(btScalar(0.4834), btScalar(0.5742), btScalar(0.6607));
+  return direction.dot(pose.getOrigin());
+}
+
 /// Whether the shapes of `a` and `b` are solved in this order, which is the same whichever of them Bullet names first,
-/// so that a pair's contacts are the same to the last bit but for the normal's sign: by their shapes' types, else along
-/// a direction of the world that no scene is built along, so that bodies that lie still keep their order. Addresses
-/// would change from run to run.
+/// so that a pair's contacts are the same to the last bit but for the normal's sign: by their shapes' types, else by
+/// OrderOf(), so that bodies that lie still keep their order. Addresses would change from run to run.
 inline bool ComesBefore(const btCollisionObjectWrapper& a, const btCollisionObjectWrapper& b) {
   const int type_a = a.getCollisionShape()->getShapeType(), type_b = b.getCollisionShape()->getShapeType();
   if (type_a != type_b) return type_a < type_b;
-  const btVector3 &at_a = a.getWorldTransform().getOrigin(), &at_b = b.getWorldTransform().getOrigin();
-  const btVector3 direction(btScalar(0.4834), btScalar(0.5742), btScalar(0.6607));
-  return direction.dot(at_a) < direction.dot(at_b);
+  return OrderOf(a.getWorldTransform()) < OrderOf(b.getWorldTransform());
 }
 
 /// A call of processCollision().

@@ -29,10 +29,6 @@ namespace {
 /// direction, and of each point's height.
 constexpr double kRoundoff = 32 * double(std::numeric_limits<btScalar>::epsilon());
 
-/// Larger hulls are left to the solver, which climbs them. A point takes up to 12 instructions here, on either side;
-/// the solver takes 2000 in all (callgrind, hulls of 8 to 20 points).
-constexpr int kMaxScannedPoints = 64;
-
 constexpr btScalar kUnknown = std::numeric_limits<btScalar>::infinity();
 
 /// Largest <direction, point>. NaN counts as no point: a hull that has one is no shape, which the solver rejects.
@@ -122,6 +118,8 @@ double SupportValue(const PlacedShape& placed, const btVector3& direction) {
 }
 
 }  // namespace
+
+constinit thread_local SeparationReport* separation_report = nullptr;
 
 double SeparationAlong(const PlacedShape& shape_a, const PlacedShape& shape_b, const btVector3& normal) {
   const Vector3 between = FromBullet(shape_b.wrapper.getWorldTransform().getOrigin()) -

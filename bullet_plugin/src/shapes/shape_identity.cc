@@ -66,8 +66,12 @@ ShapeIdentity::ShapeIdentity(const btCollisionShape& shape)
   DGD_ASSERT(IsComparable(shape));
 }
 
+bool ShapeIdentity::HasMarginOf(const btCollisionShape& shape) const {
+  return &shape == shape_ && shape.getShapeType() == type_ && OffsetOf(shape, type_) == offset_;
+}
+
 bool ShapeIdentity::Matches(const btCollisionShape& shape, const std::shared_ptr<const CachedHull>& hull) const {
-  if (&shape != shape_ || shape.getShapeType() != type_ || OffsetOf(shape, type_) != offset_) return false;
+  if (!HasMarginOf(shape)) return false;
   if (type_ != STATIC_PLANE_PROXYTYPE) {
     const auto& convex = static_cast<const btConvexShape&>(shape);
     if (IsHullOfPoints(convex)) return hull != nullptr && hull->Matches(convex);

@@ -24,6 +24,9 @@ class ShapeIdentity {
   /// @param shape  A comparable one.
   explicit ShapeIdentity(const btCollisionShape& shape);
 
+  /// Whether a shape is where this was made from, of the same type and with the same margin.
+  bool HasMarginOf(const btCollisionShape& shape) const;
+
   /// Whether a shape is the one that this was made from, unchanged.
   /// @param hull  The cached hull of a hull of points, whose points that compares; else unused.
   bool Matches(const btCollisionShape& shape, const std::shared_ptr<const CachedHull>& hull) const;

@@ -1,0 +1,555 @@
+// dgd_bullet::CollisionDispatcher against btCollisionDispatcher: the same worlds and lists of manifolds to the last
+// bit, for any number of threads, whatever an app does to its bodies.
+#include "dgd_bullet/collision_dispatcher.h"
+
+#include <BulletCollision/CollisionDispatch/btGhostObject.h>
+#include <LinearMath/btIDebugDraw.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "dgd_bullet/recorder.h"
+#include "plugin/shape_zoo.h"
+#include "plugin/test_world.h"
+#include "plugin/triangle_grid.h"
+
+namespace dgd_test {
+namespace {
+
+using dgd_bullet::DispatcherOptions;
+using DispatcherChoice = std::optional<DispatcherOptions>;
+
+constexpr DispatcherOptions Threads(int threads) { return {.threads = threads}; }
+
+/// Numbers that say all about a world: where bodies are and how they move, and its manifolds, in their order.
+using State = std::vector<double>;
+
+/// Bodies of all convex types, and compounds, fall onto a box, a plane and a mesh; an app adds, removes, moves, turns
+/// and changes them.
+class Crowd {
+ public:
+  explicit Crowd(const DispatcherChoice& dispatcher, const dgd_bullet::Options& options = Counting())
+      : world_(Route::kConfiguration, options, dispatcher) {
+    world_.AddGround();
+    world_.Add(world_.Make<btStaticPlaneShape>(Vec(-0.6, 0, 0.8), btScalar(-3)), 0, btTransform::getIdentity());
+    AddMesh();
+    AddShapes();
+    paddle_ = &world_.Add(world_.Make<btBoxShape>(Vec(1, 0.2, 0.3)), 0, Vec(0, 0, 0.5));
+    paddle_->setCollisionFlags(paddle_->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+    paddle_->setActivationState(DISABLE_DEACTIVATION);
+    AddWalker();
+    for (int i = 0; i < 150; ++i) AddBody();
+  }
+
+  ~Crowd() { world_.world().removeCollisionObject(&walker_); }
+  Crowd(const Crowd&) = delete;
+  Crowd& operator=(const Crowd&) = delete;
+
+  void Step() {
+    ++step_;
+    paddle_->getWorldTransform().setOrigin(Vec(1.5 * std::sin(0.1 * step_), 0, 0.5));
+    if (step_ % 7 == 0) AddBody();
+    if (step_ % 11 == 0) RemoveBody();
+    if (step_ % 13 == 0) Teleport();
+    if (step_ % 17 == 0) ChangeShape();
+    if (step_ % 19 == 0) CleanPairs();
+    world_.world().stepSimulation(btScalar(1) / 120, 0);
+    // As Bullet's character controller does.
+    walker_.getWorldTransform().setOrigin(Vec(-1.5 * std::sin(0.05 * step_), 1, 0.8));
+    world_.world().updateSingleAabb(&walker_);
+    world_.dispatcher().dispatchAllCollisionPairs(walker_.getOverlappingPairCache(), world_.world().getDispatchInfo(),
+                                                  &world_.dispatcher());
+  }
+
+  State Read() {
+    State state;
+    const auto add = [&](const btVector3& v) { state.insert(state.end(), {v.x(), v.y(), v.z()}); };
+    const btCollisionObjectArray& objects = world_.world().getCollisionObjectArray();
+    for (int i = 0; i < objects.size(); ++i) {
+      const btTransform& pose = objects[i]->getWorldTransform();
+      add(pose.getOrigin());
+      for (int row = 0; row < 3; ++row) add(pose.getBasis()[row]);
+      state.push_back(objects[i]->getActivationState());
+      const btRigidBody* body = btRigidBody::upcast(objects[i]);
+      if (body == nullptr) continue;
+      add(body->getLinearVelocity());
+      add(body->getAngularVelocity());
+    }
+    for (int i = 0; i < world_.dispatcher().getNumManifolds(); ++i) {
+      const btPersistentManifold& manifold = *world_.dispatcher().getManifoldByIndexInternal(i);
+      state.push_back(manifold.m_index1a);
+      state.push_back(manifold.getBody0()->getWorldArrayIndex());
+      state.push_back(manifold.getBody1()->getWorldArrayIndex());
+      for (int j = 0; j < manifold.getNumContacts(); ++j) {
+        const btManifoldPoint& point = manifold.getContactPoint(j);
+        add(point.m_positionWorldOnB);
+        add(point.m_normalWorldOnB);
+        state.insert(state.end(), {point.m_distance1, point.m_appliedImpulse, double(point.m_lifeTime)});
+      }
+    }
+    return state;
+  }
+
+  TestWorld& world() { return world_; }
+
+ private:
+  void AddMesh() {
+    auto& mesh = world_.Make<btTriangleMesh>();
+    AddGrid(mesh, 4, 1, [](double x, double y) { return 0.1 * x * y; });
+    world_.Add(world_.Make<btBvhTriangleMeshShape>(&mesh, true), 0, Vec(0, 3, 0.3));
+  }
+
+  /// A ghost that caches its pairs, next to those of the world.
+  void AddWalker() {
+    world_.world().getPairCache()->setInternalGhostPairCallback(&world_.Make<btGhostPairCallback>());
+    walker_.setCollisionShape(&world_.Make<btCapsuleShapeZ>(btScalar(0.3), btScalar(0.6)));
+    walker_.setCollisionFlags(btCollisionObject::CF_CHARACTER_OBJECT);
+    world_.world().addCollisionObject(&walker_, btBroadphaseProxy::CharacterFilter);
+  }
+
+  void AddShapes() {
+    for (const ZooShape& zoo : zoo_) shapes_.push_back(zoo.shape.get());
+    for (int i = 0; i < 4; ++i) shapes_.push_back(&world_.Keep(MakeRandomHull(random_, 12, 0.5)));
+    auto& cross = world_.Make<btCompoundShape>();
+    auto& rod = world_.Make<btCapsuleShape>(btScalar(0.08), btScalar(0.4));
+    cross.addChildShape(btTransform::getIdentity(), &rod);
+    cross.addChildShape(btTransform(btQuaternion(Vec(0, 0, 1), btScalar(1.5)), Vec(0, 0, 0.05)), &rod);
+    shapes_.push_back(&cross);
+  }
+
+  btCollisionShape& AnyShape() { return *shapes_[std::size_t(random_.Below(int(shapes_.size())))]; }
+
+  /// A moving body; they come after five others.
+  btCollisionObject& AnyBody() {
+    const btCollisionObjectArray& objects = world_.world().getCollisionObjectArray();
+    return *objects[5 + random_.Below(objects.size() - 5)];
+  }
+
+  btTransform AnyPose() {
+    const double x = random_.Uniform(-2, 2), y = random_.Uniform(-2, 4), z = random_.Uniform(0.5, 3);
+    return MakeTransform(random_.Rotation(), {x, y, z});
+  }
+
+  void AddBody() {
+    btRigidBody& body = world_.Add(AnyShape(), 1, AnyPose());
+    if (random_.Flip()) body.setRestitution(btScalar(0.4));
+    if (random_.Below(10) == 0) body.setCollisionFlags(btCollisionObject::CF_NO_CONTACT_RESPONSE);
+    // Swept against tunnelling.
+    if (random_.Below(5) == 0) {
+      body.setCcdMotionThreshold(btScalar(0.05));
+      body.setCcdSweptSphereRadius(btScalar(0.1));
+    }
+  }
+
+  void RemoveBody() { world_.world().removeCollisionObject(&AnyBody()); }
+
+  void Teleport() {
+    btCollisionObject& body = AnyBody();
+    body.setWorldTransform(AnyPose());
+    body.activate(true);
+  }
+
+  void ChangeShape() {
+    auto& hull = static_cast<btConvexHullShape&>(*shapes_[zoo_.size()]);
+    switch (random_.Below(4)) {
+      case 0:
+        return hull.addPoint(Vec(0, 0, random_.Uniform(0.2, 0.4)));
+      case 1:
+        return hull.setMargin(btScalar(random_.Uniform(0, 0.1)));
+      case 2:
+        return hull.setLocalScaling(Vec(1, random_.Uniform(0.8, 1.2), 1));
+      default:
+        return AnyBody().setCollisionShape(&AnyShape());
+    }
+  }
+
+  void CleanPairs() {
+    world_.world().getPairCache()->cleanProxyFromPairs(AnyBody().getBroadphaseHandle(), &world_.dispatcher());
+  }
+
+  Random random_{TestSeed()};
+  std::vector<ZooShape> zoo_ = MakeShapeZoo(0.5);
+  std::vector<btCollisionShape*> shapes_;
+  TestWorld world_;
+  btPairCachingGhostObject walker_;
+  btRigidBody* paddle_ = nullptr;
+  int step_ = 0;
+};
+
+constexpr int kSteps = 150;
+
+void ExpectSameWorlds(const DispatcherChoice& choice, const dgd_bullet::Options& options) {
+  Crowd expected(std::nullopt, options), crowd(choice, options);
+  std::size_t numbers = 0;
+  for (int step = 0; step < kSteps; ++step) {
+    expected.Step();
+    crowd.Step();
+    const State state = expected.Read();
+    ASSERT_EQ(crowd.Read(), state) << "step " << step;
+    numbers = state.size();
+  }
+  EXPECT_GT(numbers, std::size_t{5000});
+  EXPECT_EQ(dgd_bullet::ToJson(crowd.world().statistics()), dgd_bullet::ToJson(expected.world().statistics()));
+}
+
+TEST(CollisionDispatcher, AnyNumberOfThreads_GivesTheWorldOfBulletsDispatcher) {
+  for (const int threads : {1, 2, 3}) ExpectSameWorlds(Threads(threads), Counting());
+}
+
+TEST(CollisionDispatcher, WithoutEmptyManifolds_ListsManifoldsInBulletsOrder) {
+  dgd_bullet::Options options = Counting();
+  options.keep_empty_manifolds = false;
+  for (const int threads : {1, 3}) ExpectSameWorlds(Threads(threads), options);
+}
+
+TEST(CollisionDispatcher, OrderedPairs_AreSolvedInThatOrder) {
+  Crowd expected(std::nullopt), crowd(Threads(2));
+  for (Crowd* each : {&expected, &crowd})
+    each->world().world().getDispatchInfo().m_deterministicOverlappingPairs = true;
+  for (int step = 0; step < 50; ++step) {
+    expected.Step();
+    crowd.Step();
+    ASSERT_EQ(crowd.Read(), expected.Read()) << "step " << step;
+  }
+}
+
+/// Counts the pairs whose near callback is called.
+class VisitCounter : public dgd_bullet::CollisionDispatcher {
+ public:
+  using CollisionDispatcher::CollisionDispatcher;
+  bool needsCollision(const btCollisionObject* body_0, const btCollisionObject* body_1) override {
+    ++visits;
+    return CollisionDispatcher::needsCollision(body_0, body_1);
+  }
+  int visits = 0;
+};
+
+/// Two round hulls across a gap of some centimetres: their bounding boxes overlap.
+class TwoHulls {
+ public:
+  explicit TwoHulls(const dgd_bullet::Options& options = {}) : configuration_(options) {
+    world_.setGravity(Vec(0, 0, 0));
+    for (const auto& body : {std::ref(a_), std::ref(b_)}) {
+      body.get()->setActivationState(DISABLE_DEACTIVATION);
+      world_.addRigidBody(body.get().get());
+    }
+  }
+  ~TwoHulls() {
+    for (btRigidBody* body : {a_.get(), b_.get()}) world_.removeRigidBody(body);
+  }
+
+  /// @return how many contacts there are after a step.
+  int Step() {
+    dispatcher_.visits = 0;
+    world_.stepSimulation(btScalar(TestWorld::kTimeStep), 0);
+    int contacts = 0;
+    for (int i = 0; i < dispatcher_.getNumManifolds(); ++i) {
+      contacts += dispatcher_.getManifoldByIndexInternal(i)->getNumContacts();
+    }
+    return contacts;
+  }
+  int Visits() const { return dispatcher_.visits; }
+  int Pairs() { return world_.getPairCache()->getNumOverlappingPairs(); }
+
+  btRigidBody& a() { return *a_; }
+  btRigidBody& b() { return *b_; }
+  btConvexHullShape& hull() { return *hull_; }
+  VisitCounter& dispatcher() { return dispatcher_; }
+  btDiscreteDynamicsWorld& world() { return world_; }
+
+ private:
+  Random random_{TestSeed()};
+  std::shared_ptr<btConvexHullShape> hull_ = MakeRandomHull(random_, 40, 1), other_ = MakeRandomHull(random_, 40, 1);
+  dgd_bullet::CollisionConfiguration configuration_;
+  VisitCounter dispatcher_{&configuration_};
+  btDbvtBroadphase broadphase_;
+  btSequentialImpulseConstraintSolver solver_;
+  btDiscreteDynamicsWorld world_{&dispatcher_, &broadphase_, &solver_, &configuration_};
+  std::unique_ptr<btRigidBody> a_ = MakeRigidBody(*hull_, 1, btTransform::getIdentity());
+  std::unique_ptr<btRigidBody> b_ =
+      MakeRigidBody(*other_, 1, MakeTransform(Eigen::Matrix3d::Identity(), {0.8, 0.8, 0.1}));
+};
+
+/// A near callback of an app's own.
+void VisitPair(btBroadphasePair& pair, btCollisionDispatcher& dispatcher, const btDispatcherInfo& info) {
+  btCollisionDispatcher::defaultNearCallback(pair, dispatcher, info);
+}
+
+TEST(CollisionDispatcher, PairThatStaysApart_IsNotVisited) {
+  TwoHulls hulls;
+  for (int step = 0; step < 3; ++step) ASSERT_EQ(hulls.Step(), 0);
+  ASSERT_EQ(hulls.Pairs(), 1);
+  for (int step = 0; step < 5; ++step) {
+    EXPECT_EQ(hulls.Step(), 0);
+    EXPECT_EQ(hulls.Visits(), 0);
+  }
+}
+
+// What makes the two touch, or meet within the step, in the step in which an app does so.
+TEST(CollisionDispatcher, WhateverEndsASeparation_IsSeenAtOnce) {
+  btSphereShape large_sphere(btScalar(0.8));
+  const std::vector<std::pair<std::string, std::function<void(TwoHulls&)>>> changes = {
+      {"another point", [](TwoHulls& hulls) { hulls.hull().addPoint(Vec(0.8, 0.8, 0.1)); }},
+      {"a point elsewhere",
+       [](TwoHulls& hulls) {
+         for (int i = 0; i < hulls.hull().getNumPoints(); ++i) hulls.hull().getUnscaledPoints()[i] *= btScalar(2);
+         hulls.hull().recalcLocalAabb();
+       }},
+      {"scaling", [](TwoHulls& hulls) { hulls.hull().setLocalScaling(Vec(1.5, 1.5, 1.5)); }},
+      {"margin", [](TwoHulls& hulls) { hulls.hull().setMargin(btScalar(0.4)); }},
+      {"another shape", [&](TwoHulls& hulls) { hulls.a().setCollisionShape(&large_sphere); }},
+      {"another place", [](TwoHulls& hulls) { hulls.b().getWorldTransform().setOrigin(Vec(0.6, 0.6, 0.1)); }},
+      {"speed", [](TwoHulls& hulls) { hulls.a().setLinearVelocity(Vec(60, 60, 0)); }},
+      {"force", [](TwoHulls& hulls) { hulls.a().applyCentralForce(Vec(15000, 15000, 0)); }},
+      {"contact distance",
+       [](TwoHulls& hulls) {
+         // Until their bounding boxes part, pairs keep their algorithm.
+         dgd_bullet::Options options;
+         options.contact_distance = 0.5;
+         options.speculative_contacts = false;
+         dgd_bullet::Register(hulls.dispatcher(), options);
+         hulls.world().getPairCache()->cleanProxyFromPairs(hulls.a().getBroadphaseHandle(), &hulls.dispatcher());
+       }},
+  };
+  for (const auto& [name, change] : changes) {
+    TwoHulls hulls, visited;
+    visited.dispatcher().setNearCallback(VisitPair);
+    for (int step = 0; step < 5; ++step) {
+      ASSERT_EQ(hulls.Step(), 0);
+      ASSERT_EQ(visited.Step(), 0);
+    }
+    ASSERT_EQ(hulls.Visits(), 0);
+    for (TwoHulls* each : {&hulls, &visited}) change(*each);
+    const int contacts = visited.Step();
+    EXPECT_EQ(hulls.Step(), contacts) << name;
+    EXPECT_EQ(hulls.Visits(), 1) << name;
+    if (name != "force") {
+      EXPECT_GT(contacts, 0) << name;
+    }
+  }
+}
+
+// Within the contact distance, which is the manifold's breaking threshold: a centimetre.
+TEST(CollisionDispatcher, BodiesThatAreClose_HaveContactsBeforeTheyTouch) {
+  TwoHulls hulls;
+  btSphereShape ball(btScalar(0.5));
+  const auto place = [&](double gap) {
+    hulls.b().getWorldTransform().setOrigin(Vec(1 + gap, 0, 0).rotate(Vec(0, 0, 1), SIMD_PI / 4));
+  };
+  for (btRigidBody* body : {&hulls.a(), &hulls.b()}) body->setCollisionShape(&ball);
+  place(0.1);
+  for (int step = 0; step < 5; ++step) ASSERT_EQ(hulls.Step(), 0);
+  ASSERT_EQ(hulls.Visits(), 0);
+  place(0.005);
+  EXPECT_EQ(hulls.Step(), 1);
+}
+
+// A rod that turns beside a box comes near only by its rotation.
+TEST(CollisionDispatcher, TurningRod_Touches) {
+  TwoHulls hulls;
+  btCapsuleShape rod(btScalar(0.1), 2);
+  hulls.a().setCollisionShape(&rod);
+  hulls.a().setAngularVelocity(Vec(0, 0, -2));
+  int steps_apart = 0;
+  while (hulls.Step() == 0 && steps_apart < 1000) ++steps_apart;
+  EXPECT_GT(steps_apart, 5);
+  EXPECT_LT(steps_apart, 200);
+}
+
+TEST(CollisionDispatcher, ContactsMadeUnderANearCallback_EndAfterIt) {
+  TwoHulls hulls;
+  const btTransform apart = hulls.b().getWorldTransform();
+  for (int step = 0; step < 5; ++step) ASSERT_EQ(hulls.Step(), 0);
+  hulls.dispatcher().setNearCallback(VisitPair);
+  hulls.b().getWorldTransform().setOrigin(Vec(0.6, 0.6, 0.1));
+  ASSERT_GT(hulls.Step(), 0);
+  hulls.dispatcher().setNearCallback(btCollisionDispatcher::defaultNearCallback);
+  for (btRigidBody* body : {&hulls.a(), &hulls.b()}) {
+    body->setLinearVelocity(Vec(0, 0, 0));
+    body->setAngularVelocity(Vec(0, 0, 0));
+  }
+  hulls.a().setWorldTransform(btTransform::getIdentity());
+  hulls.b().setWorldTransform(apart);
+  EXPECT_EQ(hulls.Step(), 0);
+  EXPECT_EQ(hulls.Pairs(), 1);
+}
+
+TEST(CollisionDispatcher, CallbackThatThrows_LeavesADispatcherThatWorks) {
+  TwoHulls hulls;
+  for (int step = 0; step < 5; ++step) ASSERT_EQ(hulls.Step(), 0);
+  hulls.b().getWorldTransform().setOrigin(Vec(0.6, 0.6, 0.1));
+  gContactStartedCallback = [](btPersistentManifold* const&) { throw std::runtime_error("by an app"); };
+  EXPECT_THROW(hulls.Step(), std::runtime_error);
+  gContactStartedCallback = nullptr;
+  EXPECT_GT(hulls.Step(), 0);
+  // As a pair that has never touched.
+  hulls.b().getWorldTransform().setOrigin(Vec(0.8, 0.8, 0.1));
+  hulls.world().getPairCache()->cleanProxyFromPairs(hulls.a().getBroadphaseHandle(), &hulls.dispatcher());
+  for (int step = 0; step < 5; ++step) EXPECT_EQ(hulls.Step(), 0);
+  EXPECT_EQ(hulls.Visits(), 0);
+}
+
+// Each of them sees the pair in each step, as with btCollisionDispatcher.
+TEST(CollisionDispatcher, RecorderAndNearCallback_SeePairsThatStayApart) {
+  TwoHulls hulls;
+  for (int step = 0; step < 5; ++step) hulls.Step();
+  hulls.dispatcher().setNearCallback(VisitPair);
+  hulls.Step();
+  EXPECT_EQ(hulls.Visits(), 1);
+  const std::string path = testing::TempDir() + "dispatcher" + std::to_string(sizeof(btScalar)) + ".rec";
+  dgd_bullet::Recorder recorder(path);
+  dgd_bullet::Options options;
+  options.recorder = &recorder;
+  TwoHulls recorded(options);
+  for (int step = 0; step < 5; ++step) recorded.Step();
+  EXPECT_EQ(recorder.pair_count(), 5u);
+  std::remove(path.c_str());
+}
+
+/// The bodies of the pairs that an app's near callback has seen, and on which threads.
+std::vector<std::pair<int, int>> near_pairs;
+std::atomic<int> near_calls_elsewhere;
+std::thread::id near_thread;
+
+void NoteAndVisit(btBroadphasePair& pair, btCollisionDispatcher& dispatcher, const btDispatcherInfo& info) {
+  if (std::this_thread::get_id() != near_thread) {
+    ++near_calls_elsewhere;
+    return;
+  }
+  const auto index_of = [](const btBroadphaseProxy* proxy) {
+    return static_cast<const btCollisionObject*>(proxy->m_clientObject)->getWorldArrayIndex();
+  };
+  near_pairs.emplace_back(index_of(pair.m_pProxy0), index_of(pair.m_pProxy1));
+  btCollisionDispatcher::defaultNearCallback(pair, dispatcher, info);
+}
+
+TEST(CollisionDispatcher, NearCallback_IsCalledForThePairsOfBulletsDispatcherOnTheSteppingThread) {
+  near_thread = std::this_thread::get_id();
+  near_calls_elsewhere = 0;
+  Crowd expected(std::nullopt), crowd(Threads(2));
+  for (int step = 0; step < 40; ++step) {
+    std::array<std::vector<std::pair<int, int>>, 2> seen;
+    for (Crowd* each : {&expected, &crowd}) {
+      // Set and reset, as an app may at any time.
+      each->world().dispatcher().setNearCallback(step % 20 < 10 ? btCollisionDispatcher::defaultNearCallback
+                                                                : NoteAndVisit);
+      near_pairs.clear();
+      each->Step();
+      seen[each == &crowd] = near_pairs;
+    }
+    ASSERT_EQ(crowd.Read(), expected.Read()) << "step " << step;
+    EXPECT_EQ(seen[1], seen[0]);
+    EXPECT_EQ(seen[0].size() > 100, step % 20 >= 10);
+  }
+  EXPECT_EQ(near_calls_elsewhere, 0);
+}
+
+/// Counts what it is shown, and on which threads.
+class ThreadChecker : public btIDebugDraw {
+ public:
+  void drawLine(const btVector3&, const btVector3&, const btVector3&) override {
+    ++lines;
+    lines_elsewhere += std::this_thread::get_id() != thread_;
+  }
+  void drawContactPoint(const btVector3&, const btVector3&, btScalar, int, const btVector3&) override {}
+  void reportErrorWarning(const char* text) override { ADD_FAILURE() << text; }
+  void draw3dText(const btVector3&, const char*) override {}
+  void setDebugMode(int) override {}
+  int getDebugMode() const override { return DBG_DrawContactPoints; }
+
+  std::atomic<int> lines = 0, lines_elsewhere = 0;
+
+ private:
+  const std::thread::id thread_ = std::this_thread::get_id();
+};
+
+TEST(CollisionDispatcher, DebugDrawer_IsCalledOnTheSteppingThread) {
+  ThreadChecker checker;
+  Crowd crowd(Threads(2));
+  for (int step = 0; step < 30; ++step) crowd.Step();
+  crowd.world().world().setDebugDrawer(&checker);
+  crowd.Step();
+  crowd.world().world().setDebugDrawer(nullptr);
+  EXPECT_GT(checker.lines, 100);
+  EXPECT_EQ(checker.lines_elsewhere, 0);
+}
+
+std::atomic<int> started, ended;
+
+TEST(CollisionDispatcher, ContactsThatStartAndEnd_AreReportedAsByBulletsDispatcher) {
+  gContactStartedCallback = [](btPersistentManifold* const&) { ++started; };
+  gContactEndedCallback = [](btPersistentManifold* const&) { ++ended; };
+  std::array<std::array<int, 2>, 2> counts{};
+  for (const bool is_plain : {true, false}) {
+    started = ended = 0;
+    Crowd crowd(is_plain ? DispatcherChoice() : Threads(3));
+    for (int step = 0; step < kSteps; ++step) crowd.Step();
+    counts[is_plain] = {started, ended};
+  }
+  gContactStartedCallback = nullptr;
+  gContactEndedCallback = nullptr;
+  EXPECT_EQ(counts[false], counts[true]);
+  EXPECT_GT(counts[true][0], 100);
+  EXPECT_GT(counts[true][1], 10);
+}
+
+TEST(CollisionDispatcher, BuiltinNarrowphase_GoesOnWorking) {
+  btDefaultCollisionConfiguration configuration;
+  dgd_bullet::CollisionDispatcher dispatcher(&configuration, Threads(2));
+  btDbvtBroadphase broadphase;
+  btCollisionWorld world(&dispatcher, &broadphase, &configuration);
+  btBoxShape cube(Vec(1, 1, 1));
+  btCollisionObject lower, upper;
+  upper.getWorldTransform().setOrigin(Vec(0, 0, 1.999));
+  for (btCollisionObject* body : {&lower, &upper}) {
+    body->setCollisionShape(&cube);
+    world.addCollisionObject(body);
+  }
+  world.performDiscreteCollisionDetection();
+  ASSERT_EQ(dispatcher.getNumManifolds(), 1);
+  EXPECT_EQ(dispatcher.getManifoldByIndexInternal(0)->getNumContacts(), 4);
+  for (btCollisionObject* body : {&lower, &upper}) world.removeCollisionObject(body);
+  EXPECT_EQ(dispatcher.getNumManifolds(), 0);
+}
+
+template <class Call>
+std::string MessageOf(const Call& call) {
+  try {
+    call();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "nothing thrown";
+}
+
+TEST(CollisionDispatcher, BadOptions_AreNamedWithTheirValue) {
+  dgd_bullet::CollisionConfiguration configuration;
+  for (const int threads : {-1, 0, 65}) {
+    EXPECT_EQ(MessageOf([&] { dgd_bullet::CollisionDispatcher dispatcher(&configuration, Threads(threads)); }),
+              "dgd_bullet::DispatcherOptions::threads must be 1 to 64; got " + std::to_string(threads));
+  }
+  EXPECT_EQ(MessageOf([] { dgd_bullet::CollisionDispatcher dispatcher(nullptr); }),
+            "dgd_bullet::CollisionDispatcher needs a collision configuration; got null");
+  // More threads than most machines have.
+  dgd_bullet::CollisionDispatcher dispatcher(&configuration, Threads(64));
+}
+
+TEST(CollisionDispatcher, AnotherVersionOfBullet_IsRefused) {
+  dgd_bullet::CollisionConfiguration configuration;
+  EXPECT_THROW(dgd_bullet::CollisionDispatcher(&configuration, {}, BT_BULLET_VERSION + 1), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace dgd_test
