@@ -8,34 +8,21 @@
 //    and Newton's first step is taken on all of them.
 //  * Apart. With the origin outside of K the problem is convex: GJK. The nearest point of a simplex gives the next
 //    direction, whose supporting plane bounds the distance from below.
-//  * Overlap. With the origin inside, every face of K that holds the origin's foot is a local minimum, and nothing but
-//    an inner approximation all around finds the least of them: an expanding polytope. Its nearest face bounds the
-//    depth from below, supporting planes from above; faces behind the best of these, which begins with the growth
-//    distance's, are not looked at.
+//  * Overlap. With the origin inside, an expanding polytope finds the least of many local minima: epa_search.h.
 //  * Frames. While cores stay apart, the last normal is where the next search starts: no growth distance is needed in
 //    between. Of polytopes, the last nearest simplex is (warm_gjk.h).
 //  * Curves. The inner approximation of a curved set alone converges linearly. So there are Newton's steps in between,
-//    as long as they gain: on all pieces that the simplex is on (newton_kink_step.h), or on the one that a plane met
-//    (newton_step.h). A deep overlap may ask for more points than the expanding polytope has room for: then it is begun
-//    from scratch, at a smaller scale.
+//    as long as they gain, on all pieces that the simplex is on (newton_kink_step.h).
 #pragma once
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
 #include <optional>
 #include <utility>
 
-#include "dgd/assert.h"
-#include "dgd/distance/epa.h"
+#include "dgd/distance/epa_search.h"
 #include "dgd/distance/gjk_simplex.h"
 #include "dgd/distance/newton_kink_step.h"
-#include "dgd/distance/newton_step.h"
-#include "dgd/distance/plane_search.h"
-#include "dgd/inlining.h"
 #include "dgd/query_types.h"
 #include "dgd/solver/minkowski_difference.h"
 #include "dgd/solver/tolerances.h"
@@ -43,18 +30,18 @@
 namespace dgd {
 
 template <class Set1, class Set2>
-class SignedDistanceSearch : private distance_internal::PlaneSearch<Set1, Set2> {
-  using Planes = distance_internal::PlaneSearch<Set1, Set2>;
+class SignedDistanceSearch : private distance_internal::EpaSearch<Set1, Set2> {
+  using Overlap = distance_internal::EpaSearch<Set1, Set2>;
 
  public:
-  using Planes::Iterations;
-  using Planes::Normal;
-  using Planes::Planes;
-  using Planes::Separation;
-  using typename Planes::Difference;
-  using typename Planes::Feature;
-  using typename Planes::Point;
-  using typename Planes::S;
+  using Overlap::Iterations;
+  using Overlap::Normal;
+  using Overlap::Overlap;
+  using Overlap::Separation;
+  using typename Overlap::Difference;
+  using typename Overlap::Feature;
+  using typename Overlap::Point;
+  using typename Overlap::S;
 
   /// @param growth      What is known: a normal and the separation along it. Without a status that says so, only a
   ///                    direction.
@@ -120,21 +107,24 @@ class SignedDistanceSearch : private distance_internal::PlaneSearch<Set1, Set2> 
   Point Witness2() const { return difference_.World2(foot_.on_1 - foot_.point - origin_, best_.normal); }
 
  private:
-  using Planes::best_;
-  using Planes::Cut;
-  using Planes::difference_;
-  using Planes::is_news_;
-  using Planes::is_stationary_;
-  using Planes::IsExhausted;
-  using Planes::origin_;
-  using Planes::RoundoffBound;
-  using Planes::settings_;
-  using Planes::size_;
-  using Planes::SupportError;
-  using Planes::TangentsAt;
-  using Planes::ToDistanceOrigin;
-  using Planes::Tolerance;
-  using typename Planes::Tangents;
+  using Overlap::best_;
+  using Overlap::Cut;
+  using Overlap::difference_;
+  using Overlap::Finish;
+  using Overlap::foot_;
+  using Overlap::is_news_;
+  using Overlap::IsExhausted;
+  using Overlap::IsOptimal;
+  using Overlap::nearest_;
+  using Overlap::origin_;
+  using Overlap::RoundoffBound;
+  using Overlap::settings_;
+  using Overlap::size_;
+  using Overlap::SupportError;
+  using Overlap::TangentsAt;
+  using Overlap::ToDistanceOrigin;
+  using Overlap::Tolerance;
+  using typename Overlap::Tangents;
 
   static bool IsCertain(Status status) {
     return status == Status::kOptimal || status == Status::kStalled || status == Status::kIterationLimit;
@@ -157,12 +147,8 @@ class SignedDistanceSearch : private distance_internal::PlaneSearch<Set1, Set2> 
     simplex_ = {basis, size};
   }
 
-  bool IsOptimal() const { return nearest_ + best_.height <= Tolerance(); }
   /// Apart, the points are off by the root of the gap: for their sake more is asked for than the tolerance.
   bool HasGoodPoints() const { return nearest_ + best_.height <= std::max(RoundoffBound(), kForPoints * Tolerance()); }
-  /// With the origin inside K: whether no normal elsewhere is much better.
-  bool IsBestElsewhere() const { return best_.height + nearest_ <= kElsewhere * best_.height; }
-
   /// Newton's step on all pieces that the simplex is on, from the last plane if that is the best and separates the
   /// cores; and the simplex goes with them if that brings it nearer. Else the simplex's normal: of cores that are near
   /// each other it is no good start, for its error is the points' over their distance.
@@ -220,27 +206,11 @@ class SignedDistanceSearch : private distance_internal::PlaneSearch<Set1, Set2> 
     nearest_ = simplex_.Nearest().norm();
   }
 
-  /// Newton's step from a plane that is the best since the last one, else the inner approximation's normal.
-  Point NextNormal(const Point& inner_normal) {
-    if constexpr (Difference::kIsSmooth) {
-      if (is_news_ && best_.has_support) {
-        is_news_ = false;
-        const Tangents tangents = TangentsAt(best_.normal);
-        const auto piece =
-            difference_.AlongTangents(best_.support.feature_1, best_.support.feature_2, best_.normal, tangents);
-        const NormalStep<S> step = StepFrom<S>(best_.normal, best_.support.point, tangents, piece.derivative);
-        is_stationary_ = step.is_valid && step.gain <= RoundoffBound();
-        if (step.is_valid && !is_stationary_) return step.next;
-      }
-    }
-    return inner_normal;
-  }
-
   /// With the origin outside of K, or so it seems.
   Status RunGjk() {
     for (;;) {
       nearest_ = simplex_.Nearest().norm();
-      if (nearest_ <= RoundoffBound()) return is_apart_ ? Status::kStalled : HandleBoundaryOrigin();
+      if (nearest_ <= RoundoffBound()) return is_apart_ ? Status::kStalled : this->HandleBoundaryOrigin(simplex_);
       if (HasGoodPoints()) return Finish(Status::kOptimal, simplex_.Combination());
       if (IsExhausted()) return Finish(Status::kIterationLimit, simplex_.Combination());
       const Point normal = NextNormalApart();
@@ -249,7 +219,7 @@ class SignedDistanceSearch : private distance_internal::PlaneSearch<Set1, Set2> 
       if (is_apart_ && Separation() > settings_.separation_limit) return Status::kSeparated;
       if (simplex_.HoldsOriginWith(support.point)) {
         if (is_apart_) return Status::kStalled;
-        return RunEpa({simplex_[0], simplex_[1], simplex_[2], support});
+        return this->RunEpa({simplex_[0], simplex_[1], simplex_[2], support});
       }
       GjkSimplex<S> grown = simplex_;
       grown.Add(support);
@@ -261,154 +231,6 @@ class SignedDistanceSearch : private distance_internal::PlaneSearch<Set1, Set2> 
     }
   }
 
-  /// The origin is on a feature of K, within roundoff: on its border, where the signed distance is 0, or inside.
-  DGD_NOINLINE Status HandleBoundaryOrigin() {
-    std::array<Feature, 4> corners;
-    std::size_t size = simplex_.Size();
-    for (std::size_t i = 0; i < size; ++i) corners[i] = simplex_[i];
-    while (size < 4) {
-      if (!FindCorner(corners, size)) {
-        // K is flat: not a tetrahedron, and along the best plane's normal it has no extent.
-        return Finish(Status::kOptimal, simplex_.Combination());
-      }
-      ++size;
-    }
-    return RunEpa(corners);
-  }
-
-  /// Finds a point of K off the affine hull of the first `size` corners, in one of the directions across that.
-  bool FindCorner(std::array<Feature, 4>& corners, std::size_t size) {
-    DGD_ASSERT(size >= 1 && size < 4);
-    const Point& a = corners[0].point;
-    // Squares of a tiny K's lengths may not be finite.
-    const auto towards = [&](std::size_t i) -> Point { return (corners[i].point - a).stableNormalized(); };
-    Matrix3<S> axes;
-    int first = 0, last = 2;  // Of the columns that are across.
-    if (size == 1) {
-      axes = FrameAlong<S>(best_.normal);
-    } else if (size == 2) {
-      axes = FrameAlong<S>(towards(1));
-      last = 1;
-    } else {
-      axes = FrameAlong<S>(towards(1).cross(towards(2)).normalized());
-      first = 2;
-    }
-    for (int i = last; i >= first; --i) {
-      for (const S sign : {S(1), S(-1)}) {
-        const Point normal = sign * axes.col(i);
-        corners[size] = Cut(normal);
-        if (normal.dot(corners[size].point - a) > kFlat * RoundoffBound()) return true;
-      }
-    }
-    return false;
-  }
-
-  /// With the origin inside K.
-  DGD_NOINLINE Status RunEpa(const std::array<Feature, 4>& corners) {
-    if constexpr (Difference::kIsSmooth) {
-      // The growth distance's plane has no support point yet, which Newton's first step needs.
-      const Point normal = best_.normal;
-      best_.height = std::numeric_limits<S>::infinity();
-      Cut(normal);
-    }
-    nearest_ = std::numeric_limits<S>::infinity();
-    EpaPolytope<S> polytope(corners, SupportError(), size_);
-    const auto finish = [&](Status status) { return Finish(status, polytope.NearestTo(best_.height * best_.normal)); };
-    for (;;) {
-      const auto& face = polytope.Nearest();
-      nearest_ = std::min(nearest_, -polytope.Inradius());
-      if (IsOptimal()) return finish(Status::kOptimal);
-      if (is_stationary_ && IsBestElsewhere()) return finish(Status::kOptimal);
-      if (IsExhausted()) return finish(Status::kIterationLimit);
-      if (polytope.IsSliver(face)) return finish(Status::kStalled);
-      const Point own = face.normal;
-      const Point normal = NextNormal(own);
-      if (polytope.Add(Cut(normal))) continue;
-      if constexpr (!Difference::kIsPolytope) {
-        if (polytope.IsFull()) return Refine(polytope.NearestTo(best_.height * best_.normal));
-      }
-      if (normal == own) return finish(Status::kStalled);
-    }
-  }
-
-  /// The expanding polytope has no room for as many points as a curved set may ask for. Others take its place, of the
-  /// best plane's surroundings alone, which are narrowed down from one to the next.
-  /// @param of_inner  The foot so far.
-  DGD_NOINLINE Status Refine(Feature of_inner) {
-    constexpr int kMaxRounds = 8;
-    constexpr S kNarrower = 4;
-    // By which a border that curves as a ball of K's size recedes by the gap, and some more.
-    S tilt = std::min(kWidest, 2 * std::sqrt((nearest_ + best_.height) / size_));
-    for (int round = 0; round < kMaxRounds; ++round) {
-      switch (RunEpaNearby(tilt, of_inner)) {
-        case Nearby::kClosed:
-          return Finish(IsBestElsewhere() ? Status::kOptimal : Status::kStalled, of_inner);
-        case Nearby::kExhausted:
-          return Finish(Status::kIterationLimit, of_inner);
-        case Nearby::kTooNarrow:
-          tilt = std::min(kWidest, kNarrower * tilt);
-          break;
-        case Nearby::kFull:
-          tilt /= kNarrower;
-      }
-    }
-    return Finish(Status::kStalled, of_inner);
-  }
-
-  enum class Nearby {
-    kClosed,     ///< No normal nearby is better.
-    kFull,       ///< Once more, nearer.
-    kTooNarrow,  ///< The points differ by roundoff alone, or the best normal is beyond them.
-    kExhausted,  ///< Of evaluations.
-  };
-
-  /// An expanding polytope about the best plane: a triangle of K there, whose normals are `tilt` radians aside, and the
-  /// point of K that is farthest behind it. Faces that look elsewhere are none of K's, and of no account.
-  DGD_NOINLINE Nearby RunEpaNearby(S tilt, Feature& of_inner) {
-    // Cosine to the best plane's normal: the triangle's faces look at most kWidest aside, those to the point behind it
-    // about at right angles.
-    constexpr S kAside = S(0.7);
-    const Point middle = best_.normal;
-    const Matrix3<S> axes = FrameAlong<S>(middle);
-    std::array<Feature, 4> corners;
-    for (int i = 0; i < 3; ++i) {
-      const S turn = 2 * std::numbers::pi_v<S> * S(i) / 3;
-      const Point aside = std::cos(turn) * axes.col(0) + std::sin(turn) * axes.col(1);
-      corners[static_cast<std::size_t>(i)] = Cut((middle + tilt * aside).normalized());
-    }
-    corners[3] = Cut(-middle);
-    EpaPolytope<S> polytope(corners, SupportError(), size_);
-    for (;;) {
-      if (IsExhausted()) return Nearby::kExhausted;
-      const auto face = polytope.NearestAlong(middle, kAside);
-      if (polytope.IsSliver(face)) return Nearby::kTooNarrow;
-      const Point foot = best_.height * best_.normal;
-      of_inner = polytope.NearestTo(foot);
-      if (best_.height - face.distance <= Tolerance()) {
-        const bool is_above = (of_inner.point - foot).squaredNorm() <= Tolerance() * size_;
-        return is_above ? Nearby::kClosed : Nearby::kTooNarrow;
-      }
-      if (!polytope.Add(Cut(face.normal))) return polytope.IsFull() ? Nearby::kFull : Nearby::kTooNarrow;
-    }
-  }
-
-  /// Keeps the point of the inner approximation for the witness points; or a support point that is nearer to the
-  /// plane's foot, as of smooth sets it is. Each witness point is put on its set's supporting plane, which the inner
-  /// approximation is below by the gap.
-  /// @param status  How the search ended, unless the bounds agree all the same.
-  Status Finish(Status status, const Feature& of_inner) {
-    DGD_ASSERT(IsUnitOrNan(best_.normal));
-    foot_ = of_inner;
-    if (best_.has_support) {
-      const Feature& support = best_.support;
-      const Point ideal = best_.height * best_.normal;
-      if ((support.point - ideal).squaredNorm() < (foot_.point - ideal).squaredNorm()) foot_ = support;
-      foot_.on_1 += best_.normal.dot(support.on_1 - foot_.on_1) * best_.normal;
-      foot_.point += best_.normal.dot(support.point - foot_.point) * best_.normal;
-    }
-    return IsOptimal() ? Status::kOptimal : status;
-  }
-
   /// Of the size: smooth cores that overlap by more are searched from the centres' line, since an expanding polytope
   /// that begins with points all around ends sooner than one that begins with those of the growth distance.
   static constexpr S kDeep = S(1e-4);
@@ -416,16 +238,8 @@ class SignedDistanceSearch : private distance_internal::PlaneSearch<Set1, Set2> 
   static constexpr S kFar = S(0.02);
   /// What is asked for beyond the tolerance: two digits of the points.
   static constexpr S kForPoints = S(1e-4);
-  /// A tetrahedron that is thicker than so many units of roundoff has faces whose normals keep some digits.
-  static constexpr S kFlat = 1024;
-  /// Of a triangle about the best plane: about 30 degrees.
-  static constexpr S kWidest = S(0.5);
-  /// Of smooth sets: by how much of the depth a normal elsewhere may be better for a local minimum to be the answer.
-  static constexpr S kElsewhere = S(0.01);
 
   GjkSimplex<S> simplex_;
-  S nearest_ = std::numeric_limits<S>::infinity();  // Signed distance of K's inner approximation, metres.
-  Feature foot_;                                    // The witness points' difference, without radii.
   Descent<S> descent_;
   bool is_apart_ = false;  // By SolveApart(): ends where the origin turns out to be inside of K.
 };
