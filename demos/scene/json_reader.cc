@@ -7,7 +7,6 @@
 #include <iterator>
 #include <set>
 #include <sstream>
-#include <vector>
 
 #include "scene/scene_error.h"
 
@@ -122,7 +121,14 @@ std::size_t JsonReader::Size() const {
   return value_.size();
 }
 
-void JsonReader::AllowOnly(std::initializer_list<std::string_view> keys) const {
+std::vector<std::string> JsonReader::Keys() const {
+  if (!value_.is_object()) Fail("must be an object, not " + value_.dump());
+  std::vector<std::string> keys;
+  for (const auto& [key, member] : value_.items()) keys.push_back(key);
+  return keys;
+}
+
+void JsonReader::AllowOnly(const std::vector<std::string_view>& keys) const {
   if (!value_.is_object()) Fail("must be an object, not " + value_.dump());
   for (const auto& [key, member] : value_.items()) {
     if (std::ranges::find(keys, key) != keys.end()) continue;

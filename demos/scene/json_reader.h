@@ -3,11 +3,11 @@
 
 #include <Eigen/Core>
 #include <filesystem>
-#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace dgd_demos {
 
@@ -35,7 +35,8 @@ class JsonReader {
   std::size_t Size() const;  ///< Of an array.
 
   /// An object with no keys but these.
-  void AllowOnly(std::initializer_list<std::string_view> keys) const;
+  void AllowOnly(const std::vector<std::string_view>& keys) const;
+  std::vector<std::string> Keys() const;  ///< Of an object, in alphabetical order.
 
   double Number(const Range& range) const;
   int Integer(int low, int high) const;

@@ -1,15 +1,12 @@
 #include "scene/scene_file.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <exception>
-#include <numbers>
 #include <string>
 #include <utility>
 
 #include "scene/json_reader.h"
-#include "scene/mesh_file.h"
 #include "scene/random_polytope.h"
+#include "scene/read_shape.h"
 
 namespace dgd_demos {
 namespace {
@@ -18,9 +15,8 @@ using Eigen::Vector3d;
 
 // What a scene may ask for. Wide enough for anything sensible, narrow enough to catch slips: degrees for radians,
 // milliseconds for seconds, a lost decimal point.
-constexpr Range kSize = {0, 1e3, /*low_is_allowed=*/false};  // m
-constexpr Range kCoordinate = {-1e4, 1e4};                   // m
-constexpr Range kAngle = {-2 * std::numbers::pi, 2 * std::numbers::pi};
+constexpr Range kSize = {0, 1e3, /*low_is_allowed=*/false};     // m
+constexpr Range kCoordinate = {-1e4, 1e4};                      // m
 constexpr Range kMass = {0, 1e6, /*low_is_allowed=*/false};     // kg
 constexpr Range kMassOrStatic = {0, 1e6};                       // kg
 constexpr Range kInertia = {0, 1e9, /*low_is_allowed=*/false};  // kg m^2
@@ -32,7 +28,6 @@ constexpr Range kVelocity = {-1e3, 1e3};                         // m/s
 constexpr Range kAngularVelocity = {-1e3, 1e3};                  // rad/s
 constexpr Range kTimeStep = {0, 0.1, /*low_is_allowed=*/false};  // s
 constexpr Range kMargin = {0, 1};                                // m
-constexpr Range kScale = {0, 1e6, /*low_is_allowed=*/false};
 constexpr int kMaxCount = 10'000;
 constexpr int kMaxSolverIterations = 10'000;
 
@@ -72,20 +67,6 @@ BodyProperties ReadProperties(const JsonReader& body, const Range& mass) {
           NumberOr(body, "restitution", kRestitution, kDefaultRestitution), NumberOr(body, "damping", kDamping, 0)};
 }
 
-// "rotation": roll, pitch and yaw; about the fixed x, then y, then z axis.
-Pose ReadPose(const JsonReader& body) {
-  Pose pose;
-  pose.position = body.At("position").Vector(kCoordinate);
-  if (body.Has("rotation")) {
-    const Vector3d angles = body.At("rotation").Vector(kAngle);
-    pose.rotation =
-        (Eigen::AngleAxisd(angles.z(), Vector3d::UnitZ()) * Eigen::AngleAxisd(angles.y(), Vector3d::UnitY()) *
-         Eigen::AngleAxisd(angles.x(), Vector3d::UnitX()))
-            .toRotationMatrix();
-  }
-  return pose;
-}
-
 Motion ReadMotion(const JsonReader& body, bool is_static) {
   Motion motion;
   const auto read = [&](const char* key, const Range& range, Vector3d& target) {
@@ -96,17 +77,6 @@ Motion ReadMotion(const JsonReader& body, bool is_static) {
   read("velocity", kVelocity, motion.velocity);
   read("angular_velocity", kAngularVelocity, motion.angular_velocity);
   return motion;
-}
-
-Shape ReadMesh(const JsonReader& body, const std::filesystem::path& folder) {
-  const JsonReader file = body.At("file");
-  const std::filesystem::path path = folder / file.Text();
-  const double scale = NumberOr(body, "scale", kScale, 1);
-  try {
-    return Hull{LoadConvexMesh(path, scale)};
-  } catch (const std::exception& error) {
-    file.Fail("\"" + path.string() + "\" gives no convex mesh: " + error.what());
-  }
 }
 
 RandomPolytopes ReadRandomPolytopes(const JsonReader& group) {
@@ -132,44 +102,14 @@ RandomPolytopes ReadRandomPolytopes(const JsonReader& group) {
   return polytopes;
 }
 
-// The shapes that a file can name, each with its own keys.
 SingleBody ReadSingleBody(const JsonReader& body, const std::string& type, const std::filesystem::path& folder) {
-  const auto allow = [&](auto... own_keys) {
-    body.AllowOnly({"type", "mass", "inertia", "friction", "restitution", "damping", "position", "rotation", "velocity",
-                    "angular_velocity", own_keys...});
-  };
-  const auto size = [&](const char* key) { return body.At(key).Number(kSize); };
-  const auto shape = [&]() -> Shape {
-    if (type == "sphere") {
-      allow("radius");
-      return Sphere{size("radius")};
-    }
-    if (type == "capsule") {
-      allow("radius", "length");
-      return Capsule{size("radius"), size("length")};
-    }
-    if (type == "box") {
-      allow("half_extents");
-      return Box{body.At("half_extents").Vector(kSize)};
-    }
-    if (type == "cylinder") {
-      allow("radius", "height");
-      return Cylinder{size("radius"), size("height")};
-    }
-    if (type == "cone") {
-      allow("radius", "height");
-      return Cone{size("radius"), size("height")};
-    }
-    if (type == "mesh") {
-      allow("file", "scale");
-      return ReadMesh(body, folder);
-    }
-    body.At("type").Fail("must be random_polytopes, sphere, capsule, box, cylinder, cone or mesh, not \"" + type +
-                         "\"");
-  };
-  const Shape read_shape = shape();  // First: it knows which keys are allowed.
+  // First: it knows which keys are allowed.
+  const Shape shape = ReadShape(
+      body, folder,
+      {"mass", "inertia", "friction", "restitution", "damping", "position", "rotation", "velocity", "angular_velocity"},
+      "random_polytopes, ");
   const BodyProperties properties = ReadProperties(body, kMassOrStatic);
-  return {properties, type, read_shape, ReadPose(body), ReadMotion(body, properties.mass == 0)};
+  return {properties, type, shape, ReadPose(body), ReadMotion(body, properties.mass == 0)};
 }
 
 BodyGroup ReadBodyGroup(const JsonReader& group, const std::filesystem::path& folder) {

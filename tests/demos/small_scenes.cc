@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -86,6 +87,16 @@ std::filesystem::path TestFolder::Write(const std::string& name, const std::stri
 std::string ReadFile(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::vector<std::filesystem::path> SimulatedScenes(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> scenes;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const bool is_scene = entry.path().extension() == ".json";
+    if (is_scene && ReadFile(entry.path()).find("\"bodies\"") != std::string::npos) scenes.push_back(entry.path());
+  }
+  std::ranges::sort(scenes);
+  return scenes;
 }
 
 }  // namespace dgd_demos

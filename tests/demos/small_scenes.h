@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "scene/scene.h"
 
@@ -34,5 +35,8 @@ class TestFolder {
 };
 
 std::string ReadFile(const std::filesystem::path& file);
+
+/// The scene files of a folder whose bodies are simulated, in alphabetical order; those of motion planning have none.
+std::vector<std::filesystem::path> SimulatedScenes(const std::filesystem::path& folder);
 
 }  // namespace dgd_demos

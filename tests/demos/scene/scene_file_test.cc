@@ -80,13 +80,9 @@ TEST(SceneFileTest, WhatIsOptional_IsReadAsWritten) {
 }
 
 TEST(SceneFileTest, ShippedScenes_AreValid) {
-  int scenes = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(DGD_TEST_SCENES)) {
-    if (entry.path().extension() != ".json") continue;
-    EXPECT_NO_THROW(LoadScene(entry.path())) << entry.path();
-    ++scenes;
-  }
-  EXPECT_GE(scenes, 2) << "is " << DGD_TEST_SCENES << " the right folder?";
+  const std::vector<std::filesystem::path> scenes = SimulatedScenes(DGD_TEST_SCENES);
+  for (const std::filesystem::path& scene : scenes) EXPECT_NO_THROW(LoadScene(scene)) << scene;
+  EXPECT_GE(scenes.size(), 2u) << "is " << DGD_TEST_SCENES << " the right folder?";
 }
 
 TEST(SceneFileTest, MeshFile_IsConvexifiedScaledAndCentred) {

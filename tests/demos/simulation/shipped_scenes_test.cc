@@ -1,7 +1,6 @@
 // The scenes of scenes/ in this executable's precision of Bullet: each starts as it is meant to, on each narrowphase.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <tuple>
@@ -10,16 +9,14 @@
 #include "scene/bodies.h"
 #include "scene/scene_file.h"
 #include "simulation/drop_run.h"
+#include "small_scenes.h"
 
 namespace dgd_demos {
 namespace {
 
 std::vector<std::string> ShippedScenes() {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(DGD_TEST_SCENES)) {
-    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
-  }
-  std::ranges::sort(names);
+  for (const std::filesystem::path& scene : SimulatedScenes(DGD_TEST_SCENES)) names.push_back(scene.stem().string());
   return names;
 }
 
