@@ -1,4 +1,4 @@
-// The exit statuses of the programs that simulate scenes, as their --help lists them.
+// The exit statuses of the programs, as their --help lists them.
 #pragma once
 
 namespace dgd_demos {
@@ -6,6 +6,7 @@ namespace dgd_demos {
 enum ExitStatus {
   kSuccess = 0,
   kLostBody = 1,  ///< A body left the world, or a value was not finite.
+  kNoPath = 1,    ///< Of plan_motion: there is none for a seed, or start or goal is in collision.
   kBadInput = 2,  ///< Command line or scene file; or the output cannot be written.
 };
 

@@ -70,16 +70,20 @@ Link ReadLink(const JsonReader& object, bool is_base, std::set<std::string>& nam
   return link;
 }
 
-// Names joints and their angles, so that none is mistaken for another.
-Configuration ReadConfiguration(const JsonReader& angles, const Arm& arm) {
+// Joints are named wherever something is said of them, so that none is mistaken for another.
+void AllowOnlyJoints(const JsonReader& object, const Arm& arm) {
   std::string known;
   for (const Joint& joint : arm.joints) known += (known.empty() ? "" : ", ") + joint.name;
-  for (const std::string& name : angles.Keys()) {
+  for (const std::string& name : object.Keys()) {
     const auto has_name = [&](const Joint& joint) { return joint.name == name; };
     if (std::ranges::none_of(arm.joints, has_name)) {
-      angles.At(name).Fail("the arm " + arm.name + " has no joint \"" + name + "\"; its joints: " + known);
+      object.At(name).Fail("the arm " + arm.name + " has no joint \"" + name + "\"; its joints: " + known);
     }
   }
+}
+
+Configuration ReadConfiguration(const JsonReader& angles, const Arm& arm) {
+  AllowOnlyJoints(angles, arm);
   Configuration configuration(static_cast<Eigen::Index>(arm.joints.size()));
   for (std::size_t i = 0; i < arm.joints.size(); ++i) {
     configuration[static_cast<Eigen::Index>(i)] = angles.At(arm.joints[i].name).Number(kAngle);
@@ -139,8 +143,9 @@ void ReadUnchecked(const JsonReader& list, const std::vector<Obstacle>& obstacle
   for (std::size_t i = 0; i < list.Size(); ++i) {
     const JsonReader pair = list.At(i);
     if (pair.Size() != 2) pair.Fail("must be two names, not " + pair.Dump());
-    const std::string first = pair.At(0).Text(), second = pair.At(1).Text();
-    if (!is_link(first)) pair.At(0).Fail("the arm " + scene_arm.arm.name + " has no link \"" + first + "\"");
+    const std::string first = pair.At(std::size_t{0}).Text(), second = pair.At(1).Text();
+    if (!is_link(first))
+      pair.At(std::size_t{0}).Fail("the arm " + scene_arm.arm.name + " has no link \"" + first + "\"");
     if (!is_link(second) && !is_obstacle(second)) {
       pair.At(1).Fail("there is no link of the arm " + scene_arm.arm.name + " and no obstacle \"" + second + "\"");
     }
@@ -148,8 +153,30 @@ void ReadUnchecked(const JsonReader& list, const std::vector<Obstacle>& obstacle
   }
 }
 
+// Two angles for some of the joints; the others' limits are those of the arm.
+void ReadSearch(const JsonReader& plan, const Arm& arm, MotionScene& scene) {
+  scene.search_lower = scene.search_upper = scene.start;
+  if (plan.Has("search")) AllowOnlyJoints(plan.At("search"), arm);
+  for (std::size_t i = 0; i < arm.joints.size(); ++i) {
+    const Joint& joint = arm.joints[i];
+    const auto index = static_cast<Eigen::Index>(i);
+    double &lower = scene.search_lower[index], &upper = scene.search_upper[index];
+    lower = joint.lower;
+    upper = joint.upper;
+    if (!plan.Has("search") || !plan.At("search").Has(joint.name)) continue;
+    const JsonReader limits = plan.At("search").At(joint.name);
+    if (limits.Size() != 2) limits.Fail("must be two angles, not " + limits.Dump());
+    lower = limits.At(std::size_t{0}).Number({joint.lower, joint.upper});
+    upper = limits.At(1).Number({lower, joint.upper, /*low_is_allowed=*/false});
+    for (const double angle : {scene.start[index], scene.goal[index]}) {
+      if (angle >= lower && angle <= upper) continue;
+      limits.Fail("must hold start and goal of joint " + joint.name + ", which " + limits.Dump() + " does not");
+    }
+  }
+}
+
 void ReadPlan(const JsonReader& plan, MotionScene& scene) {
-  plan.AllowOnly({"arm", "start", "goal"});
+  plan.AllowOnly({"arm", "start", "goal", "search"});
   const std::string name = plan.At("arm").Text();
   const auto has_name = [&](const SceneArm& scene_arm) { return scene_arm.arm.name == name; };
   const auto found = std::ranges::find_if(scene.arms, has_name);
@@ -157,6 +184,7 @@ void ReadPlan(const JsonReader& plan, MotionScene& scene) {
   scene.planned_arm = static_cast<std::size_t>(found - scene.arms.begin());
   scene.start = ReadConfiguration(plan.At("start"), found->arm);
   scene.goal = ReadConfiguration(plan.At("goal"), found->arm);
+  ReadSearch(plan, found->arm, scene);
 }
 
 }  // namespace

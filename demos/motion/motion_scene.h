@@ -41,6 +41,9 @@ struct MotionScene {
   /// The motion that is wanted: of one arm; all others stay where they are, as obstacles.
   std::size_t planned_arm;  ///< Index into arms.
   Configuration start, goal;
+  /// What the search keeps to, rad: within the joints' limits, which are the default. Closer ones keep a planner from
+  /// winding up an arm whose joints make several turns.
+  Configuration search_lower, search_upper;
 
   const Arm& PlannedArm() const { return arms[planned_arm].arm; }
 };

@@ -1,0 +1,53 @@
+// Whether an arm collides in a configuration, as fast as a sampling planner wants it: yes or no, and no distances.
+//
+// Of each pair the plane that separated it last is tried first. Where it does not, dgd::DetectCollision decides, and
+// its plane is the next one to be tried.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "motion/collision_model.h"
+#include "motion/plane_cache.h"
+
+namespace dgd_demos {
+
+struct CheckCounts {
+  std::int64_t states = 0;
+  std::int64_t pairs = 0;           ///< Pair checks of these states; a state's first collision ends it.
+  std::int64_t pairs_by_plane = 0;  ///< Of these, decided by the pair's last separating plane.
+};
+
+/// Not for use by several threads at once.
+class StateChecker {
+ public:
+  enum class Planes { kCached, kNone };  ///< kNone, for comparison: each check is a cold one.
+
+  /// @param model  Must outlive the checker.
+  explicit StateChecker(const CollisionModel& model, Planes planes = Planes::kCached)
+      : model_(model), use_(planes), planes_(model) {}
+
+  /// The first pair that collides, as its index in model.pairs(); nothing if the state is valid. Touching counts as
+  /// colliding, and so does what cannot be decided.
+  std::optional<std::size_t> FindCollision(const Configuration& configuration);
+  /// The same for poses that are known: of CollisionModel::ComputePoses().
+  std::optional<std::size_t> FindCollision(const CollisionModel::Poses& poses);
+
+  const CheckCounts& counts() const { return counts_; }
+
+ private:
+  bool IsApart(std::size_t pair, const CollisionModel::Poses& poses);
+  /// The direction from the first body's origin to the second's, if a plane across it separates them. That is what
+  /// dgd::DetectCollision tries first, too; here the support functions are in closed form.
+  std::optional<Eigen::Vector3d> SeparatingLineOfOrigins(std::size_t pair, const CollisionModel::Poses& poses) const;
+
+  const CollisionModel& model_;
+  const Planes use_;
+  PlaneCache planes_;
+  CollisionModel::Poses poses_;
+  CheckCounts counts_;
+};
+
+}  // namespace dgd_demos
