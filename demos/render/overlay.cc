@@ -108,6 +108,20 @@ void DrawScale(const SpeedScale& scale, double width, double unit) {
   DrawCentred("speed (m/s)", above, kLabelHeight * unit);
 }
 
+// One entry above the other, from the lower left corner.
+void DrawLegend(const std::vector<LegendEntry>& legend, double unit) {
+  constexpr double kLine = 24, kSwatch = 14;
+  for (std::size_t i = 0; i < legend.size(); ++i) {
+    const double from_below = static_cast<double>(legend.size() - 1 - i);
+    const Vector2d corner(kMarginSize * unit, (kMarginSize + kLine * from_below) * unit);
+    const Vector2d along(kSwatch * unit, 0), middle(0, kSwatch / 2 * unit);
+    SetColour(legend[i].colour);
+    DrawLine(corner + middle, corner + middle + along, kSwatch * unit);
+    SetColour(kInk);
+    DrawText(StrokesOf(legend[i].text), corner + 1.6 * along + Vector2d(0, 1.5 * unit), kLabelHeight * unit);
+  }
+}
+
 }  // namespace
 
 void DrawOverlay(const OverlayText& text, const SpeedScale& scale, int width, int height, const Vector2d& jitter) {
@@ -126,7 +140,11 @@ void DrawOverlay(const OverlayText& text, const SpeedScale& scale, int width, in
   DrawText(StrokesOf(text.title), Vector2d(kMarginSize * unit, title_base), kTitleHeight * unit);
   const double subtitle_base = title_base - (kSubtitleHeight + 18) * unit;
   DrawText(StrokesOf(text.subtitle), Vector2d(kMarginSize * unit, subtitle_base), kSubtitleHeight * unit);
-  DrawScale(scale, width, unit);
+  if (text.legend.empty()) {
+    DrawScale(scale, width, unit);
+  } else {
+    DrawLegend(text.legend, unit);
+  }
 }
 
 }  // namespace dgd_demos

@@ -14,7 +14,6 @@
 #include "render/colour_space.h"
 #include "render/light_samples.h"
 #include "render/off_screen.h"
-#include "render/overlay.h"
 #include "render/shaders.h"
 #include "render/shortest_turn.h"
 #include "render/surface_mesh.h"
@@ -133,7 +132,8 @@ class SceneRenderer::Impl {
       const Matrix4d world_to_light = WorldToLight(light.direction, scene);
       DrawShadowMap(request.state, world_to_light);
       DrawScene(request, light, world_to_light, scene, jitter);
-      DrawOverlay({request.title, request.subtitle}, speed_scale_, screen_.width(), screen_.height(), jitter);
+      DrawOverlay({request.title, request.subtitle, request.legend}, speed_scale_, screen_.width(), screen_.height(),
+                  jitter);
       glFinish();
       accumulator.Add(screen_.rgba());
     }
@@ -222,7 +222,8 @@ class SceneRenderer::Impl {
     body_program_.Set("gloss", kGloss);
     for (std::size_t i = kGroundIndex + 1; i < bodies_.size(); ++i) {
       body_program_.Set("model", ModelMatrix(request.state.poses[i]));
-      body_program_.Set("albedo", BodyAlbedo(speed_scale_, request.state.speeds[i], i));
+      body_program_.Set("albedo", request.colours.empty() ? BodyAlbedo(speed_scale_, request.state.speeds[i], i)
+                                                          : LinearFromSrgb(request.colours[i]));
       DrawBody(i);
     }
     UseForPass(ground_program_, request, light, world_to_light, scene, shift);

@@ -5,12 +5,14 @@
 // between bodies), and smooth edges; and each pass is as simple as a picture can be.
 #pragma once
 
+#include <Eigen/Core>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "render/camera.h"
 #include "render/image.h"
+#include "render/overlay.h"
 #include "render/speed_colour.h"
 #include "scene/bodies.h"
 #include "simulation/snapshot.h"
@@ -22,6 +24,10 @@ struct PictureRequest {
   Camera camera;
   std::string title;     ///< Top left, large.
   std::string subtitle;  ///< Below the title.
+  /// Of each body in place of its speed's, sRGB, components from 0 to 1; that of the ground is not used. Empty: by
+  /// speed.
+  std::vector<Eigen::Vector3d> colours = {};
+  std::vector<LegendEntry> legend = {};  ///< In place of the scale of speeds; empty for that.
 };
 
 class SceneRenderer {

@@ -1,0 +1,143 @@
+#include "motion/path_picture.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "render/scene_renderer.h"
+#include "render/shortest_turn.h"
+
+namespace dgd_demos {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kWidth = 1280, kHeight = 720;
+constexpr int kPosesBetween = 5;         // Of the arm, between start and goal.
+constexpr double kTraceStep = 0.04;      // rad
+constexpr double kTraceRadius = 0.01;    // m
+constexpr double kBeforeRadius = 0.004;  // m
+constexpr double kLargestInFrame = 0.7;  // Of an obstacle that has to be in the picture as a whole, m.
+
+// sRGB.
+const Vector3d kStartColour(0.20, 0.55, 0.86), kGoalColour(0.25, 0.65, 0.33), kBetweenColour(0.83, 0.84, 0.87);
+const Vector3d kTraceColour(0.86, 0.10, 0.08), kBeforeColour(0.35, 0.35, 0.38), kObstacleColour(0.87, 0.67, 0.36),
+    kLargeObstacleColour(0.84, 0.81, 0.74);
+
+// What is drawn, as the renderer takes it.
+struct Drawing {
+  Eigen::Matrix3d turn;  // About the vertical axis, of all that is drawn.
+  std::vector<Body> bodies;
+  Snapshot state;
+  std::vector<Vector3d> colours;
+
+  void Add(const Shape& shape, const Pose& world_pose, const Vector3d& colour) {
+    const Pose pose{turn * world_pose.rotation, turn * world_pose.position};
+    Body body{"", shape, 0, 0, std::nullopt, 0, 0, 0, pose, {}};
+    bodies.push_back(body);
+    state.poses.push_back(pose);
+    state.speeds.push_back(0);
+    colours.push_back(colour);
+  }
+};
+
+// The configuration at a share of the path's length.
+Configuration At(const JointPath& path, double share) {
+  double remaining = share * Length(path);
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const double length = (path[i] - path[i - 1]).norm();
+    if (remaining <= length && length > 0) return path[i - 1] + (path[i] - path[i - 1]) * (remaining / length);
+    remaining -= length;
+  }
+  return path.back();
+}
+
+// Whether a shape looks the same in both poses: a link that turns about its own axis. Drawn twice, it would flicker.
+bool IsSamePlace(const dgd::Pose<double>& a, const dgd::Pose<double>& b) {
+  constexpr double kSame = 1e-3;  // m
+  return (a.translation - b.translation).norm() < kSame && (a.rotation.col(2) - b.rotation.col(2)).norm() < kSame;
+}
+
+// @param drawn  In and out: the poses of all arms that are drawn already.
+void AddArm(const CollisionModel& model, const Configuration& state, const Vector3d& colour, Drawing& drawing,
+            std::vector<Ball>& frame, std::vector<CollisionModel::Poses>& drawn) {
+  CollisionModel::Poses poses;
+  model.ComputePoses(state, poses);
+  drawn.push_back(poses);
+  for (std::size_t i = 0; i < poses.size() && model.parts()[i].link; ++i) {
+    const auto is_here = [&](const CollisionModel::Poses& others) { return IsSamePlace(others[i], poses[i]); };
+    if (std::any_of(drawn.begin(), drawn.end() - 1, is_here)) continue;
+    const Pose pose{poses[i].rotation, poses[i].translation};
+    drawing.Add(model.parts()[i].body.shape(), pose, colour);
+    frame.push_back({pose.position, BoundingRadius(model.parts()[i].body.shape(), 0)});
+  }
+}
+
+void AddTrace(const CollisionModel& model, const JointPath& path, double radius, const Vector3d& colour,
+              Drawing& drawing) {
+  Vector3d last = FlangePose(model.arm(), path.front()).position;
+  for (const Configuration& state : Subdivide(path, kTraceStep)) {
+    const Vector3d next = FlangePose(model.arm(), state).position;
+    const double length = (next - last).norm();
+    if (length < radius / 2) continue;  // Hidden by the last piece's round end.
+    Pose pose;
+    pose.position = (last + next) / 2;
+    const Vector3d direction = (next - last) / length;
+    if (direction.z() < 1) {
+      pose.rotation = direction.z() > -1 ? ShortestTurn(Vector3d::UnitZ(), direction).toRotationMatrix()
+                                         : Eigen::AngleAxisd(std::acos(-1), Vector3d::UnitX()).toRotationMatrix();
+    }
+    drawing.Add(Capsule{radius, length}, pose, colour);
+    last = next;
+  }
+}
+
+// A floor below all fixed bodies, for their shadows.
+double FloorHeight(const CollisionModel& model) {
+  double lowest = 0;
+  for (const CollisionModel::Part& part : model.parts()) {
+    if (!part.link) lowest = std::min(lowest, -part.body.SupportValue(ToDgd(part.pose), -Vector3d::UnitZ()));
+  }
+  return lowest;
+}
+
+}  // namespace
+
+Image Draw(const PathPicture& picture) {
+  const CollisionModel& model = picture.model;
+  Drawing drawing;
+  drawing.turn = Eigen::AngleAxisd(picture.turn, Vector3d::UnitZ()).toRotationMatrix();
+  std::vector<Ball> frame;
+  std::vector<CollisionModel::Poses> drawn;
+  constexpr double kFloorThickness = 0.1;  // m
+  Pose floor;
+  floor.position.z() = FloorHeight(model) - kFloorThickness;
+  drawing.Add(Box{{20, 20, kFloorThickness}}, floor, kBetweenColour);
+  for (const CollisionModel::Part& part : model.parts()) {
+    if (part.link) continue;
+    const double radius = BoundingRadius(part.body.shape(), 0);
+    const bool is_large = radius > kLargestInFrame;
+    drawing.Add(part.body.shape(), part.pose, is_large ? kLargeObstacleColour : kObstacleColour);
+    if (!is_large) frame.push_back({part.pose.position, radius});
+  }
+  AddArm(model, picture.path.front(), kStartColour, drawing, frame, drawn);
+  AddArm(model, picture.path.back(), kGoalColour, drawing, frame, drawn);
+  for (int i = 1; i <= kPosesBetween; ++i) {
+    AddArm(model, At(picture.path, i / (kPosesBetween + 1.0)), kBetweenColour, drawing, frame, drawn);
+  }
+  AddTrace(model, picture.before, kBeforeRadius, kBeforeColour, drawing);
+  AddTrace(model, picture.path, kTraceRadius, kTraceColour, drawing);
+
+  for (Ball& ball : frame) ball.centre = drawing.turn * ball.centre;
+  SceneRenderer renderer(drawing.bodies, SpeedScale(1), kWidth, kHeight);
+  const std::vector<LegendEntry> legend = {{kStartColour, "start"},
+                                           {kGoalColour, "goal"},
+                                           {kBetweenColour, "between"},
+                                           {kTraceColour, "path of the flange"},
+                                           {kBeforeColour, "before smoothing"},
+                                           {kObstacleColour, "obstacles"}};
+  return renderer.Render(
+      {drawing.state, FrameAll(frame, renderer.aspect()), picture.title, picture.subtitle, drawing.colours, legend});
+}
+
+}  // namespace dgd_demos

@@ -1,0 +1,137 @@
+// plan_motion: the motion of an arm between obstacles, planned, proven free, and smoothed. See --help.
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "motion/check_comparison.h"
+#include "motion/collision_model.h"
+#include "motion/motion_scene.h"
+#include "motion/path_picture.h"
+#include "motion/plan_report.h"
+#include "motion/plan_run.h"
+#include "plan_motion_options.h"
+#include "program_main.h"
+#include "render/png_file.h"
+#include "report/csv_file.h"
+#include "report/progress_bar.h"
+
+namespace dgd_demos {
+namespace {
+
+// The first so many states of each run: as many as an hour's comparison does not need.
+constexpr std::size_t kMostComparedStates = 20'000;
+
+// One bar for each kind of work, which wipes that of the work before.
+class ProgressDisplay {
+ public:
+  explicit ProgressDisplay(std::uint64_t seed) : prefix_("seed " + std::to_string(seed) + ", ") {}
+  void Update(std::string_view work, double share) {
+    if (work != work_) {
+      work_ = work;
+      bar_.emplace(prefix_ + work_, 1);
+    }
+    bar_->Update(share);
+  }
+
+ private:
+  std::string prefix_, work_;
+  std::optional<ProgressBar> bar_;
+};
+
+void WritePaths(const PlanRun& run, const CollisionModel& model, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  // Whatever an earlier run has left is not of this one.
+  for (const char* name :
+       {"path_found.csv", "path_simplified.csv", "path_smoothed.csv", "path.png", "path_other_side.png"}) {
+    std::filesystem::remove(folder / name);
+  }
+  if (!run.found.empty()) WritePathCsv(folder / "path_found.csv", model, run.found);
+  if (run.failure) return;
+  WritePathCsv(folder / "path_simplified.csv", model, run.simplified);
+  WritePathCsv(folder / "path_smoothed.csv", model, run.smoothed);
+}
+
+void WritePictures(const PlanRun& run, const CollisionModel& model, const std::filesystem::path& folder) {
+  char subtitle[160];
+  std::snprintf(subtitle, sizeof subtitle, "seed %llu,  %.2f rad,  clearance %.1f mm, before smoothing %.1f mm",
+                static_cast<unsigned long long>(run.seed), Length(run.smoothed), 1e3 * run.after.signed_distance.value,
+                1e3 * run.before.signed_distance.value);
+  const std::string title = "Motion of " + model.arm().name;
+  constexpr double kOtherSide = -1.8;  // rad
+  WritePng(folder / "path.png", Draw({model, run.smoothed, run.simplified, title, subtitle}));
+  WritePng(folder / "path_other_side.png", Draw({model, run.smoothed, run.simplified, title, subtitle, kOtherSide}));
+}
+
+void WriteComparison(const std::vector<CheckTimes>& times, const std::filesystem::path& file) {
+  CsvFile csv(file);
+  csv.stream() << "checker,seconds,pairs,differing,beyond_band\n";
+  for (const CheckTimes& row : times) {
+    csv.stream() << '"' << row.name << "\"," << row.seconds << ',' << row.pairs << ',' << row.differing << ','
+                 << row.beyond_band << '\n';
+  }
+  csv.Flush();
+}
+
+PlanRun PlanAndWrite(const MotionScene& scene, const CollisionModel& model, const PlanMotionOptions& options,
+                     std::uint64_t seed, RunsCsv& csv) {
+  ProgressDisplay display(seed);
+  PlanRun run = PlanMotion(scene, model, {options.planner, options.time_limit, seed, options.compares},
+                           [&](std::string_view work, double share) { display.Update(work, share); });
+  csv.Write(run);
+  const std::filesystem::path folder =
+      options.seeds == 1 ? options.out : options.out / ("seed_" + std::to_string(seed));
+  WritePaths(run, model, folder);
+  if (options.draws && !run.failure) {
+    display.Update("pictures", 0);
+    WritePictures(run, model, folder);
+  }
+  return run;
+}
+
+ExitStatus Run(const PlanMotionOptions& options) {
+  const MotionScene scene = LoadMotionScene(options.scene);
+  const CollisionModel model(scene);
+  if (const std::optional<std::string> collision = FindCollisionAtEnds(scene, model)) {
+    std::fprintf(stderr, "%s: %s\n", scene.file.c_str(), collision->c_str());
+    return kNoPath;
+  }
+  std::filesystem::create_directories(options.out);
+  RunsCsv csv(options.out / "runs.csv");
+  std::vector<PlanRun> runs;
+  std::vector<Configuration> visited;
+  for (int i = 0; i < options.seeds; ++i) {
+    runs.push_back(PlanAndWrite(scene, model, options, options.seed + static_cast<std::uint64_t>(i), csv));
+    std::vector<Configuration>& states = runs.back().visited;
+    if (states.size() > kMostComparedStates) states.resize(kMostComparedStates);
+    visited.insert(visited.end(), states.begin(), states.end());
+    states = {};
+  }
+
+  std::printf("%s: the arm %s, %zu pairs of bodies\n\n%s", scene.file.c_str(), model.arm().name.c_str(),
+              model.pairs().size(), FormatRuns(runs).c_str());
+  if (runs.size() == 1 && !runs[0].failure) std::printf("\n%s", FormatPlaces(model, runs[0]).c_str());
+  if (options.compares && !visited.empty()) {
+    ProgressBar progress("comparison", 1);
+    const std::vector<CheckTimes> times = CompareChecks(model, visited, [&](double share) { progress.Update(share); });
+    WriteComparison(times, options.out / "comparison.csv");
+    std::printf("\n%s", FormatComparison(times).c_str());
+  }
+  std::printf("\nResults are in %s\n", options.out.c_str());
+
+  ExitStatus status = kSuccess;
+  for (const PlanRun& run : runs) {
+    if (!run.failure) continue;
+    std::fprintf(stderr, "%s\n", run.failure->c_str());
+    status = kNoPath;
+  }
+  return status;
+}
+
+}  // namespace
+}  // namespace dgd_demos
+
+int main(int argc, char** argv) {
+  return dgd_demos::RunProgram(dgd_demos::ParseCommandLine(argc, argv), dgd_demos::Run);
+}
