@@ -59,7 +59,7 @@ void WritePictures(const PlanRun& run, const CollisionModel& model, const std::f
                 static_cast<unsigned long long>(run.seed), Length(run.smoothed), 1e3 * run.after.signed_distance.value,
                 1e3 * run.before.signed_distance.value);
   const std::string title = "Motion of " + model.arm().name;
-  constexpr double kOtherSide = -1.8;  // rad
+  constexpr double kOtherSide = 1.5;  // rad
   WritePng(folder / "path.png", Draw({model, run.smoothed, run.simplified, title, subtitle}));
   WritePng(folder / "path_other_side.png", Draw({model, run.smoothed, run.simplified, title, subtitle, kOtherSide}));
 }

@@ -2,9 +2,12 @@
 // with the core.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "motion/collision_model.h"
@@ -18,6 +21,50 @@ namespace dgd_demos {
 
 inline MotionScene ShippedMotionScene() {
   return LoadMotionScene(std::filesystem::path(DGD_TEST_SCENES) / "ur5e_five_obstacles.json");
+}
+
+/// An arm of two links in the horizontal plane that has to fold to get past a post. The tests break it in one place
+/// each.
+inline std::string SmallMotionSceneText() {
+  return R"({
+  "about": "SI units, z up",
+  "gravity": [0, 0, -9.81],
+  "arms": [
+    {
+      "name": "planar",
+      "base": { "position": [0, 0, 0] },
+      "links": [
+        { "name": "base" },
+        {
+          "name": "upper", "mass": 1, "centre_of_mass": [0.2, 0, 0],
+          "joint": { "name": "shoulder", "position": [0, 0, 0.1], "axis": [0, 0, 1], "lower": -3, "upper": 3, "max_velocity": 1, "max_effort": 10 },
+          "shapes": [{ "type": "capsule", "radius": 0.03, "length": 0.3, "position": [0.2, 0, 0], "rotation": [0, 1.5707963, 0] }]
+        },
+        {
+          "name": "lower", "mass": 1, "centre_of_mass": [0.2, 0, 0], "inertia": [0.01, 0.02, 0.02],
+          "joint": { "name": "elbow", "position": [0.4, 0, 0], "axis": [0, 0, 1], "lower": -2.5, "upper": 2.5, "max_velocity": 2, "max_effort": 5 },
+          "shapes": [{ "type": "capsule", "radius": 0.03, "length": 0.3, "position": [0.2, 0, 0], "rotation": [0, 1.5707963, 0] }]
+        }
+      ],
+      "flange": { "position": [0.4, 0, 0] }
+    }
+  ],
+  "obstacles": [
+    { "name": "post", "type": "cylinder", "radius": 0.05, "height": 0.4, "position": [0.5, 0.3, 0.1] }
+  ],
+  "plan": {
+    "arm": "planar",
+    "start": { "shoulder": -0.5, "elbow": 0.1 },
+    "goal": { "shoulder": 1.5, "elbow": 0.1 }
+  }
+})";
+}
+
+/// With one part of the text replaced, which must be in it.
+inline std::string With(std::string text, const std::string& old_part, const std::string& new_part) {
+  const std::size_t place = text.find(old_part);
+  EXPECT_NE(place, std::string::npos) << old_part;
+  return text.replace(place, old_part.size(), new_part);
 }
 
 /// Anywhere within the limits.
