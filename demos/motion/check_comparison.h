@@ -22,7 +22,7 @@ struct CheckTimes {
 };
 
 /// All of them check the same pairs of the same states in the same order: of a valid state all pairs, of another one
-/// those up to the first that collides. The core comes first: without cached planes, then with.
+/// those up to the first that collides. The core comes first, in the order of StateChecker::Shortcuts.
 /// @param states  As planning visited them.
 std::vector<CheckTimes> CompareChecks(const CollisionModel& model, const std::vector<Configuration>& states,
                                       const Progress& progress = {});

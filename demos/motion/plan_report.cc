@@ -58,7 +58,7 @@ constexpr std::array kFigures = {
 };
 
 std::string Line(const std::string& title, const std::vector<std::string>& values) {
-  constexpr std::size_t kTitleWidth = 42, kValueWidth = 13;
+  constexpr std::size_t kTitleWidth = 43, kValueWidth = 15;
   std::string line = title + std::string(kTitleWidth - std::min(kTitleWidth, title.size()), ' ');
   for (const std::string& value : values) {
     line += std::string(kValueWidth - std::min(kValueWidth, value.size()), ' ') + value;
@@ -113,10 +113,11 @@ std::string FormatPlaces(const CollisionModel& model, const PlanRun& run) {
 std::string FormatComparison(const std::vector<CheckTimes>& times) {
   std::string table = Line("checks of the states that planning visited",
                            {"ns a pair", "1e6 pairs/s", "cold / this", "cached / this", "differing", "beyond band"});
+  const double cold = times[1].seconds, cached = times[2].seconds;
   for (const CheckTimes& row : times) {
     const double pairs = Count(row.pairs);
     table += Line(row.name, {Format(1e9 * row.seconds / pairs, 1), Format(pairs / row.seconds / 1e6, 2),
-                             Format(times[0].seconds / row.seconds, 4), Format(times[1].seconds / row.seconds, 4),
+                             Format(cold / row.seconds, 3), Format(cached / row.seconds, 3),
                              std::to_string(row.differing), std::to_string(row.beyond_band)});
   }
   std::array<char, 128> note;

@@ -28,7 +28,8 @@ bool StateChecker::IsApart(std::size_t pair, const CollisionModel::Poses& poses)
     ++counts_.pairs_by_plane;
     return true;
   }
-  std::optional<Eigen::Vector3d> normal = SeparatingLineOfOrigins(pair, poses);
+  std::optional<Eigen::Vector3d> normal;
+  if (shortcuts_ != Shortcuts::kNone) normal = SeparatingLineOfOrigins(pair, poses);
   if (!normal) {
     const auto [first, second] = model_.pairs()[pair];
     const dgd::CollisionResult<double> result = dgd::DetectCollision(model_.parts()[first].body.set(), poses[first],
@@ -36,7 +37,7 @@ bool StateChecker::IsApart(std::size_t pair, const CollisionModel::Poses& poses)
     if (result.status != dgd::Status::kSeparated) return false;
     normal = result.normal;
   }
-  if (use_ == Planes::kCached) planes_.Store(pair, poses, *normal);
+  if (shortcuts_ == Shortcuts::kCachedPlanes) planes_.Store(pair, poses, *normal);
   return true;
 }
 

@@ -23,11 +23,17 @@ struct CheckCounts {
 /// Not for use by several threads at once.
 class StateChecker {
  public:
-  enum class Planes { kCached, kNone };  ///< kNone, for comparison: each check is a cold one.
+  /// What is tried before dgd::DetectCollision; each value includes those before it. All but the last are there to be
+  /// compared with: plan_motion --compare times them.
+  enum class Shortcuts {
+    kNone,
+    kLineOfOrigins,  ///< A plane across the line of the bodies' origins: a cold check.
+    kCachedPlanes,   ///< Before that, the plane that separated the pair last.
+  };
 
   /// @param model  Must outlive the checker.
-  explicit StateChecker(const CollisionModel& model, Planes planes = Planes::kCached)
-      : model_(model), use_(planes), planes_(model) {}
+  explicit StateChecker(const CollisionModel& model, Shortcuts shortcuts = Shortcuts::kCachedPlanes)
+      : model_(model), shortcuts_(shortcuts), planes_(model) {}
 
   /// The first pair that collides, as its index in model.pairs(); nothing if the state is valid. Touching counts as
   /// colliding, and so does what cannot be decided.
@@ -44,7 +50,7 @@ class StateChecker {
   std::optional<Eigen::Vector3d> SeparatingLineOfOrigins(std::size_t pair, const CollisionModel::Poses& poses) const;
 
   const CollisionModel& model_;
-  const Planes use_;
+  const Shortcuts shortcuts_;
   PlaneCache planes_;
   CollisionModel::Poses poses_;
   CheckCounts counts_;

@@ -45,7 +45,7 @@ TEST_F(PlanMotionTest, OneSeed_TablePathsAndPictures) {
     EXPECT_GE(std::ranges::count(text, '\n'), 3) << name;
   }
   EXPECT_EQ(Count(File("new/out/runs.csv"), "\n1,1,"), 1);
-  EXPECT_EQ(Count(File("new/out/comparison.csv"), "\n"), 5);
+  EXPECT_EQ(Count(File("new/out/comparison.csv"), "\n"), 6);
   for (const char* name : {"path.png", "path_other_side.png"}) {
     EXPECT_TRUE(File(std::string("new/out/") + name).starts_with("\x89PNG")) << name;
   }
@@ -65,7 +65,7 @@ TEST_F(PlanMotionTest, SomeSeeds_ARowEachAndMedians) {
       Run("--scene " + Scene() + " --planner rrt --time-limit 60 --seed 4 --seeds 3 --no-picture --out " + Path("out"));
   ASSERT_EQ(outcome.status, 0) << outcome.output;
   EXPECT_EQ(Count(outcome.output, "3 of 3"), 1);
-  EXPECT_EQ(Count(outcome.output, "median        least     greatest"), 1) << outcome.output;
+  EXPECT_EQ(Count(outcome.output, "median          least       greatest"), 1) << outcome.output;
   const std::string rows = File("out/runs.csv");
   for (const char* seed : {"4", "5", "6"}) {
     EXPECT_EQ(Count(rows, std::string("\n") + seed + ",1,"), 1) << rows;

@@ -29,7 +29,8 @@ TEST(ConvexBodyTest, SupportValue_IsThatOfTheSet) {
 TEST(StateCheckerTest, RandomStates_AgreeWithTheOracle) {
   const CollisionModel model(ShippedMotionScene());
   const MotionOracle oracle(model);
-  StateChecker cached(model), cold(model, StateChecker::Planes::kNone);
+  using Shortcuts = StateChecker::Shortcuts;
+  StateChecker cached(model), cold(model, Shortcuts::kLineOfOrigins), alone(model, Shortcuts::kNone);
   Random random(2, 0);
   int valid = 0, colliding = 0;
   for (int i = 0; i < 400; ++i) {
@@ -39,6 +40,7 @@ TEST(StateCheckerTest, RandomStates_AgreeWithTheOracle) {
     const std::optional<std::size_t> collision = cached.FindCollision(state);
     EXPECT_EQ(collision.has_value(), distance < 0) << state.transpose() << ", distance " << distance;
     EXPECT_EQ(cold.FindCollision(state), collision) << state.transpose();
+    EXPECT_EQ(alone.FindCollision(state), collision) << state.transpose();
     ++(distance < 0 ? colliding : valid);
   }
   EXPECT_GE(valid, 100);

@@ -1,5 +1,5 @@
-// Contract: pictures of the size asked for, in which bodies can be seen, are coloured by their speed and cast shadows;
-// the same state gives the same picture.
+// Contract: pictures of the size asked for, in which bodies can be seen, are coloured by their speed or as asked for,
+// and cast shadows; the same state gives the same picture.
 #include "render/scene_renderer.h"
 
 #include <gtest/gtest.h>
@@ -78,6 +78,35 @@ TEST_F(SceneRendererTest, StillBody_IsBlueAndFastBodyIsRed) {
   const Colour fast = MeanAround(Draw(State(10)), kWidth / 2, kHeight / 2);
   EXPECT_GT(still.blue, still.red + 50);
   EXPECT_GT(fast.red, fast.blue + 50);
+}
+
+TEST_F(SceneRendererTest, ColourOfTheRequest_IsTheBodysWhateverItsSpeed) {
+  const Snapshot state = State(10);
+  PictureRequest request{state, Camera{Eigen::Vector3d(0, 0, 0.5), 10}, "", ""};
+  request.colours = {Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(0.1, 0.8, 0.1)};
+  const Colour green = MeanAround(renderer_.Render(request), kWidth / 2, kHeight / 2);
+  EXPECT_GT(green.green, green.red + 50);
+  EXPECT_GT(green.green, green.blue + 50);
+}
+
+TEST_F(SceneRendererTest, Legend_StandsInPlaceOfTheScale) {
+  const Snapshot state = State(0);
+  PictureRequest request{state, Camera{Eigen::Vector3d(0, 0, 0.5), 10}, "", ""};
+  const Image scale = renderer_.Render(request);
+  request.legend = {{Eigen::Vector3d(0.1, 0.1, 0.9), "ball"}, {Eigen::Vector3d(0.9, 0.1, 0.1), "trace"}};
+  const Image legend = renderer_.Render(request);
+  int bluest = 0, reddest = 0;  // How much more of the colour than of its opposite, lower left.
+  for (int row = kHeight * 3 / 4; row < kHeight; ++row) {
+    for (int column = 0; column < kWidth / 4; ++column) {
+      const std::uint8_t* pixel = legend.Pixel(column, row);
+      bluest = std::max(bluest, pixel[2] - pixel[0]);
+      reddest = std::max(reddest, pixel[0] - pixel[2]);
+    }
+  }
+  EXPECT_GT(bluest, 100);
+  EXPECT_GT(reddest, 100);
+  // The scale of speeds was lower right.
+  EXPECT_NE(scale.Pixel(kWidth - 60, kHeight - 15)[0], legend.Pixel(kWidth - 60, kHeight - 15)[0]);
 }
 
 TEST_F(SceneRendererTest, FasterBodies_AreRedderAndLessBlue) {
