@@ -88,7 +88,7 @@ std::vector<CheckTimes> CompareChecks(const CollisionModel& model, const std::ve
   Collisions collisions;
   std::vector<CheckTimes> times;
   for (const auto& [name, shortcuts] :
-       {std::pair("dgd::DetectCollision alone", Shortcuts::kNone), std::pair("dgd, cold", Shortcuts::kLineOfOrigins),
+       {std::pair("dgd::DetectCollision alone", Shortcuts::kNone), std::pair("dgd, cold", Shortcuts::kNearestPoints),
         std::pair("dgd, cached planes", Shortcuts::kCachedPlanes)}) {
     Collisions found;
     times.push_back(Fastest([&] { return TimeCore(model, name, shortcuts, poses, found); }));

@@ -36,16 +36,18 @@ ConvexBody::ConvexBody(std::string name, const Shape& shape)
     : name_(std::move(name)), shape_(shape), polytope_(MakePolytope(shape)), set_(MakeSet(shape, polytope_.get())) {
   radius_ = set_.Radius();
   if (const auto* capsule = std::get_if<Capsule>(&shape)) {
-    kind_ = Kind::kAxial;
+    kind_ = Kind::kSegment;
     half_extents_.z() = capsule->length / 2;
-  } else if (const auto* cylinder = std::get_if<Cylinder>(&shape)) {
-    kind_ = Kind::kAxial;
-    half_extents_ = {cylinder->radius, cylinder->radius, cylinder->height / 2};
   } else if (std::holds_alternative<Sphere>(shape)) {
-    kind_ = Kind::kAxial;
+    kind_ = Kind::kSegment;  // Of length 0.
+  } else if (const auto* cylinder = std::get_if<Cylinder>(&shape)) {
+    kind_ = Kind::kCylinder;
+    half_extents_ = {cylinder->radius, cylinder->radius, cylinder->height / 2};
   } else if (const auto* box = std::get_if<Box>(&shape)) {
     kind_ = Kind::kBox;
     half_extents_ = box->half_extents;
+  } else if (polytope_ != nullptr) {
+    kind_ = Kind::kHull;
   }
 }
 

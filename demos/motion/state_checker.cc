@@ -29,7 +29,7 @@ bool StateChecker::IsApart(std::size_t pair, const CollisionModel::Poses& poses)
     return true;
   }
   std::optional<Eigen::Vector3d> normal;
-  if (shortcuts_ != Shortcuts::kNone) normal = SeparatingLineOfOrigins(pair, poses);
+  if (shortcuts_ != Shortcuts::kNone) normal = NormalBetweenNearestPoints(pair, poses);
   if (!normal) {
     const auto [first, second] = model_.pairs()[pair];
     const dgd::CollisionResult<double> result = dgd::DetectCollision(model_.parts()[first].body.set(), poses[first],
@@ -41,11 +41,12 @@ bool StateChecker::IsApart(std::size_t pair, const CollisionModel::Poses& poses)
   return true;
 }
 
-std::optional<Eigen::Vector3d> StateChecker::SeparatingLineOfOrigins(std::size_t pair,
-                                                                     const CollisionModel::Poses& poses) const {
+std::optional<Eigen::Vector3d> StateChecker::NormalBetweenNearestPoints(std::size_t pair,
+                                                                        const CollisionModel::Poses& poses) const {
   const auto [first, second] = model_.pairs()[pair];
   const ConvexBody &body_1 = model_.parts()[first].body, &body_2 = model_.parts()[second].body;
-  const Eigen::Vector3d between = poses[second].translation - poses[first].translation;
+  const Eigen::Vector3d point_2 = body_2.NearestInside(poses[second], poses[first].translation);
+  const Eigen::Vector3d between = point_2 - body_1.NearestInside(poses[first], point_2);
   const double distance_sq = between.squaredNorm();
   if (!(distance_sq > 0)) return std::nullopt;
   const Eigen::Vector3d normal = between / std::sqrt(distance_sq);

@@ -27,7 +27,7 @@ class StateChecker {
   /// compared with: plan_motion --compare times them.
   enum class Shortcuts {
     kNone,
-    kLineOfOrigins,  ///< A plane across the line of the bodies' origins: a cold check.
+    kNearestPoints,  ///< A plane between nearly nearest points: a cold check.
     kCachedPlanes,   ///< Before that, the plane that separated the pair last.
   };
 
@@ -45,9 +45,10 @@ class StateChecker {
 
  private:
   bool IsApart(std::size_t pair, const CollisionModel::Poses& poses);
-  /// The direction from the first body's origin to the second's, if a plane across it separates them. That is what
-  /// dgd::DetectCollision tries first, too; here the support functions are in closed form.
-  std::optional<Eigen::Vector3d> SeparatingLineOfOrigins(std::size_t pair, const CollisionModel::Poses& poses) const;
+  /// The normal of a plane that separates the pair, if one is found at once: across the line from a point of the first
+  /// body's axis to one of the second's, or of a box, after one round of alternating projections from the first's
+  /// origin.
+  std::optional<Eigen::Vector3d> NormalBetweenNearestPoints(std::size_t pair, const CollisionModel::Poses& poses) const;
 
   const CollisionModel& model_;
   const Shortcuts shortcuts_;

@@ -30,7 +30,7 @@ TEST(StateCheckerTest, RandomStates_AgreeWithTheOracle) {
   const CollisionModel model(ShippedMotionScene());
   const MotionOracle oracle(model);
   using Shortcuts = StateChecker::Shortcuts;
-  StateChecker cached(model), cold(model, Shortcuts::kLineOfOrigins), alone(model, Shortcuts::kNone);
+  StateChecker cached(model), cold(model, Shortcuts::kNearestPoints), alone(model, Shortcuts::kNone);
   Random random(2, 0);
   int valid = 0, colliding = 0;
   for (int i = 0; i < 400; ++i) {
