@@ -1,0 +1,81 @@
+// A planned motion carried out by Bullet's dynamics: how well the arm follows, and what it touches. Free of Bullet.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "motion/arm.h"
+#include "motion/motion_scene.h"
+#include "motion/timed_path.h"
+#include "scene/pose.h"
+
+namespace dgd_demos {
+
+struct ExecutionOptions {
+  double step_rate = 240;  ///< Steps a second, Hz.
+  double hold_time = 0.5;  ///< After the path's end, in which the arm has to stay there, s.
+  /// Share of a joint's position error that its motor corrects in a step; (0, 1]. 1 leaves no error wherever the effort
+  /// suffices, as no controller does; less is as soft as a controller with that rate.
+  double position_gain = 0.2;
+  /// Of Bullet's solver in a step. Each joint's motor has to know what all others do, and learns it one iteration at a
+  /// time, so that an arm needs more of them than Bullet's 10.
+  int solver_iterations = 100;
+  std::vector<double> snapshot_times;  ///< For pictures, ascending, s. Each is taken at the end of the step it is in.
+};
+
+/// What is known at the end of a step.
+struct ExecutionStep {
+  double time;              ///< s
+  Configuration planned;    ///< Angles of the timed path at that time, rad.
+  Configuration angles;     ///< Angles of the joints in the world, rad.
+  Eigen::VectorXd efforts;  ///< Of the motors in the step, N m; at most the joint's max_effort.
+  Eigen::Vector3d flange;   ///< In the world, by Bullet's pose of the last link, m.
+  double tracking_error;    ///< From the flange to where the planned angles would have it, m.
+  int contacts;             ///< Pairs in contact at the beginning of the step.
+};
+
+/// Two bodies in contact: they overlap, or one pushes the other.
+struct ExecutionContact {
+  std::string first, second;  ///< The first is a link of the planned arm. Links of other arms as "NAME's LINK".
+  double begin, end;          ///< The first and the last time, s.
+  double least_distance;      ///< m; negative for penetration.
+  double greatest_force;      ///< Along the normals, N.
+};
+
+/// The arm's links at one moment.
+struct ExecutionSnapshot {
+  double time;              ///< s
+  std::vector<Pose> links;  ///< In the world, base first, as LinkPoses() has them.
+};
+
+struct ExecutionResult {
+  /// Why it ended before its time, in a sentence; nothing if it did not. What was found so far is kept.
+  std::optional<std::string> failure;
+  double duration = 0;  ///< Simulated, the hold included, s.
+
+  double greatest_error = 0;                         ///< Of the flange's tracking errors, m.
+  double greatest_error_time = 0;                    ///< s
+  Eigen::Vector3d greatest_error_place = {0, 0, 0};  ///< Where the flange was then, m.
+  double rms_error = 0;                              ///< Over all steps, m.
+  double final_error = 0;                            ///< At the end of the hold, m.
+  double greatest_effort_share = 0;                  ///< Of a joint's max_effort; 1 if a motor was too weak.
+  std::string greatest_effort_joint;                 ///< Whose effort that was.
+
+  std::vector<ExecutionStep> steps;
+  std::vector<ExecutionContact> contacts;  ///< In the order in which they began.
+  std::vector<ExecutionSnapshot> snapshots;
+};
+
+/// Simulates the scene's planned arm, with gravity and joint motors of limited effort, along the path and through the
+/// hold after it. It starts at rest at the path's first configuration; obstacles and the other arms, at rest, are
+/// fixed. Collisions, by the plugin, are those of the pairs that planning checks: neighbouring links and the scene's
+/// unchecked pairs go through each other.
+/// @param progress  Called with the share of the steps that is done, from 0 to 1; may be empty.
+/// @throws std::invalid_argument for options out of their range.
+ExecutionResult ExecutePath(const MotionScene& scene, const TimedPath& path, const ExecutionOptions& options = {},
+                            const std::function<void(double)>& progress = {});
+
+}  // namespace dgd_demos
