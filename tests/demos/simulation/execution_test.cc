@@ -1,0 +1,304 @@
+// Motions carried out in this executable's precision of Bullet, against statics, dynamics and kinematics by hand.
+#include "simulation/execution.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "simulation/narrowphase.h"
+
+namespace dgd_demos {
+namespace {
+
+using Eigen::Vector3d;
+
+bool IsDouble() { return std::string_view(BulletPrecision()) == "double"; }
+
+// Of the arm's kinematics over about a metre, m.
+double Rounding() { return IsDouble() ? 1e-9 : 5e-6; }
+
+MotionScene ShippedScene() {
+  return LoadMotionScene(std::filesystem::path(DGD_TEST_SCENES) / "ur5e_five_obstacles.json");
+}
+
+MotionScene WithoutObstacles() {
+  MotionScene scene = ShippedScene();
+  scene.obstacles.clear();
+  return scene;
+}
+
+Configuration Angles(const std::vector<double>& angles) {
+  return Eigen::Map<const Eigen::VectorXd>(angles.data(), static_cast<Eigen::Index>(angles.size()));
+}
+
+ExecutionResult Execute(const MotionScene& scene, const JointPath& path, const ExecutionOptions& options = {}) {
+  const ExecutionResult result = ExecutePath(scene, TimedPath(scene.PlannedArm(), path), options);
+  EXPECT_EQ(result.failure.value_or(""), "");
+  return result;
+}
+
+bool HasContact(const ExecutionResult& result, const std::string& first, const std::string& second) {
+  return std::ranges::any_of(result.contacts, [&](const ExecutionContact& contact) {
+    return contact.first == first && contact.second == second;
+  });
+}
+
+std::string NamesOf(const ExecutionResult& result) {
+  std::string names;
+  for (const ExecutionContact& contact : result.contacts) names += contact.first + " and " + contact.second + "\n";
+  return names;
+}
+
+/// What holds the arm up: of each joint, the moment about its axis of all weights beyond it.
+Eigen::VectorXd HoldingEfforts(const MotionScene& scene, const Configuration& angles) {
+  const Arm& arm = scene.PlannedArm();
+  const std::vector<Pose> poses = LinkPoses(arm, angles);
+  Eigen::VectorXd efforts = Eigen::VectorXd::Zero(angles.size());
+  for (std::size_t joint = 0; joint < arm.joints.size(); ++joint) {
+    const Pose& pose = poses[joint + 1];
+    for (std::size_t link = joint + 1; link < arm.links.size(); ++link) {
+      const Vector3d arm_of_lever = poses[link] * arm.links[link].centre_of_mass - pose.position;
+      const Vector3d moment = arm_of_lever.cross(arm.links[link].mass * scene.gravity);
+      efforts[static_cast<Eigen::Index>(joint)] -= moment.dot(pose.rotation * arm.joints[joint].axis);
+    }
+  }
+  return efforts;
+}
+
+/// A weightless beam's end, say: one link that turns about z, 0.5 m from its axis.
+MotionScene OneJointScene() {
+  MotionScene scene;
+  scene.gravity = Vector3d::Zero();
+  Link base, link;
+  base.name = "base";
+  link.name = "bob";
+  link.mass = 2;
+  link.centre_of_mass = {0.5, 0, 0};
+  SceneArm arm;
+  arm.arm = {"pendulum", {}, {base, link}, {{"hinge", {}, Vector3d::UnitZ(), -3, 3, 3, 100}}, {}};
+  arm.arm.flange.position = {1, 0, 0};
+  arm.rest = Configuration::Zero(1);
+  scene.arms.push_back(arm);
+  scene.planned_arm = 0;
+  scene.start = scene.goal = arm.rest;
+  return scene;
+}
+
+TEST(ExecutionTest, ArmAtRest_HoldsItsPoseWithTheMomentsOfItsWeights) {
+  const MotionScene scene = WithoutObstacles();
+  for (const Configuration& pose : {Angles({0, 0, 0, 0, 0, 0}), Angles({0.3, -1.1, 1.7, -0.9, 0.6, 0.4})}) {
+    ExecutionOptions options;
+    options.hold_time = 2;
+    const ExecutionResult result = Execute(scene, {pose}, options);
+    EXPECT_EQ(result.steps.size(), 480U);
+    EXPECT_LE(result.greatest_error, IsDouble() ? 1e-6 : 5e-6);
+    const Eigen::VectorXd difference = result.steps.back().efforts - HoldingEfforts(scene, pose);
+    EXPECT_LE(difference.cwiseAbs().maxCoeff(), IsDouble() ? 1e-4 : 0.05) << difference.transpose();
+    EXPECT_GT(HoldingEfforts(scene, pose).cwiseAbs().maxCoeff(), 10);
+    EXPECT_EQ(NamesOf(result), "");
+  }
+}
+
+TEST(ExecutionTest, FlangeAndLinks_AreWhereKinematicsSays) {
+  const MotionScene scene = WithoutObstacles();
+  const Arm& arm = scene.PlannedArm();
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> angle(-3, 3);
+  for (int run = 0; run < 20; ++run) {
+    Configuration pose(6);
+    for (double& q : pose) q = angle(random);
+    ExecutionOptions options;
+    options.hold_time = 1 / options.step_rate;
+    options.snapshot_times = {0};
+    MotionScene without_collisions = scene;
+    for (Link& link : without_collisions.arms[0].arm.links) link.shapes.clear();
+    const ExecutionResult result = Execute(without_collisions, {pose}, options);
+    ASSERT_EQ(result.steps.size(), 1U);
+    // Of the angles that the step's motors left, which are those asked for but for rounding.
+    const Configuration& angles = result.steps[0].angles;
+    EXPECT_LE((angles - pose).norm(), 1e-4);
+    EXPECT_LE((result.steps[0].flange - FlangePose(arm, angles).position).norm(), Rounding());
+    ASSERT_EQ(result.snapshots.size(), 1U);
+    const std::vector<Pose> expected = LinkPoses(arm, angles);
+    ASSERT_EQ(result.snapshots[0].links.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      EXPECT_LE((result.snapshots[0].links[i].position - expected[i].position).norm(), Rounding()) << i;
+      EXPECT_LE((result.snapshots[0].links[i].rotation - expected[i].rotation).norm(), Rounding()) << i;
+    }
+  }
+}
+
+TEST(ExecutionTest, MotionInFreeSpace_IsTracked) {
+  const MotionScene scene = WithoutObstacles();
+  const Configuration corner = Angles({0, -1.8, 2.1, -1.9, -0.6, 1});
+  for (const double rate : {60.0, 240.0}) {
+    ExecutionOptions options;
+    options.step_rate = rate;
+    const ExecutionResult result = Execute(scene, {scene.start, corner, scene.goal}, options);
+    EXPECT_LE(result.greatest_error, IsDouble() ? 1e-6 : 1e-5) << rate;
+    EXPECT_LE(result.rms_error, result.greatest_error);
+    EXPECT_LE((result.steps.back().flange - FlangePose(scene.PlannedArm(), scene.goal).position).norm(), 1e-5);
+    EXPECT_LT(result.greatest_effort_share, 0.5);
+    EXPECT_EQ(NamesOf(result), "");
+    EXPECT_NEAR(result.duration, TimedPath(scene.PlannedArm(), {scene.start, corner, scene.goal}).Duration() + 0.5,
+                1 / rate);
+  }
+}
+
+// As timed_path.h says of the default acceleration.
+TEST(ExecutionTest, DefaultAcceleration_NeedsLessThanTwoThirdsOfAStretchedArmsEffort) {
+  const MotionScene scene = WithoutObstacles();
+  const ExecutionResult result = Execute(scene, {Angles({0, 0, 0, 0, 0, 0}), Angles({0, -0.5, 0, 0, 0, 0})});
+  EXPECT_EQ(result.greatest_effort_joint, "shoulder_lift");
+  EXPECT_LT(result.greatest_effort_share, 2.0 / 3);
+  EXPECT_GT(result.greatest_effort_share, 0.4);
+}
+
+TEST(ExecutionTest, MotorsTooWeak_FallBehind) {
+  MotionScene scene = WithoutObstacles();
+  for (Joint& joint : scene.arms[0].arm.joints) joint.max_effort /= 5;
+  const ExecutionResult result = Execute(scene, {Angles({0, 0, 0, 0, 0, 0}), Angles({0, -0.5, 0, 0, 0, 0})});
+  EXPECT_GT(result.greatest_error, 0.01);
+  EXPECT_NEAR(result.greatest_effort_share, 1, 1e-5);
+  EXPECT_EQ(result.greatest_effort_joint, "shoulder_lift");
+}
+
+// Torque is inertia times angular acceleration, with the parallel axes' part; the flange's error is then rounding.
+TEST(ExecutionTest, SpeedingUp_NeedsTheEffortOfTheInertia) {
+  constexpr double kAcceleration = 5;  // TimingOptions' default, as this motion is too short for the velocity limit.
+  struct Case {
+    std::optional<Vector3d> inertia;
+    std::vector<LinkShape> shapes;
+    double about_z;  // Through the centre of mass, kg m^2.
+  };
+  const LinkShape box = {Box{{0.3, 0.2, 0.1}}, {Eigen::Matrix3d::Identity(), {0.5, 0, 0}}};
+  const std::vector<Case> cases = {{Vector3d(0.1, 0.2, 0.3), {}, 0.3},
+                                   {std::nullopt, {box}, 2 * (0.36 + 0.16) / 12},
+                                   {std::nullopt, {}, 0.4 * 2 * 0.05 * 0.05}};
+  for (const Case& c : cases) {
+    MotionScene scene = OneJointScene();
+    scene.arms[0].arm.links[1].inertia = c.inertia;
+    scene.arms[0].arm.links[1].shapes = c.shapes;
+    const ExecutionResult result = Execute(scene, {Angles({0}), Angles({1})});
+    const double expected = (c.about_z + 2 * 0.5 * 0.5) * kAcceleration;
+    EXPECT_NEAR(result.steps[10].efforts[0], expected, 1e-3 * expected);
+  }
+}
+
+TEST(ExecutionTest, ObstacleInTheWay_IsReportedByName) {
+  const MotionScene scene = ShippedScene();
+  const ExecutionResult result = Execute(scene, {scene.start, scene.goal});
+  EXPECT_TRUE(HasContact(result, "wrist_1", "left_post")) << NamesOf(result);
+  EXPECT_GT(result.greatest_error, 0.01);
+  for (const ExecutionContact& contact : result.contacts) {
+    EXPECT_TRUE(contact.second.ends_with("post")) << contact.second;
+    EXPECT_LE(contact.begin, contact.end);
+    EXPECT_GT(contact.greatest_force, 0);
+    EXPECT_LT(contact.least_distance, 1e-4);
+    EXPECT_GT(contact.least_distance, -0.01) << "went through";
+  }
+  EXPECT_TRUE(std::ranges::any_of(result.steps, [](const ExecutionStep& step) { return step.contacts > 0; }));
+  EXPECT_EQ(result.steps.front().contacts, 0);
+}
+
+// The first moment is that in which geometry says they meet: the bob's box turns into a wall.
+TEST(ExecutionTest, ContactBegins_WhenTheShapesMeet) {
+  MotionScene scene = OneJointScene();
+  scene.arms[0].arm.links[1].shapes = {{Sphere{0.1}, {Eigen::Matrix3d::Identity(), {0.5, 0, 0}}}};
+  scene.obstacles.push_back({"wall", Box{{0.5, 0.1, 0.5}}, {Eigen::Matrix3d::Identity(), {0.5, 0.5, 0}}});
+  const TimedPath path(scene.PlannedArm(), {Angles({0}), Angles({1.5})});
+  const ExecutionResult result = ExecutePath(scene, path);
+  ASSERT_TRUE(HasContact(result, "bob", "wall"));
+  // Where the ball's centre is its radius below the wall, 0.3 m from the axis.
+  const double begin = result.contacts[0].begin, step = 1 / ExecutionOptions().step_rate;
+  EXPECT_LE(0.5 * std::sin(path.Sample(begin - step).angles[0]), 0.3);
+  EXPECT_GE(0.5 * std::sin(path.Sample(begin + step).angles[0]), 0.3);
+  EXPECT_NEAR(0.5 * std::sin(result.steps.back().angles[0]), 0.3, 0.005) << "the wall holds";
+}
+
+TEST(ExecutionTest, UncheckedPairsAndNeighbours_GoThroughEachOther) {
+  MotionScene scene = WithoutObstacles();
+  const Configuration pose = scene.start;
+  const Pose forearm = LinkPoses(scene.PlannedArm(), pose)[3];
+  scene.obstacles.push_back({"cage", Box{{0.05, 0.05, 0.05}}, {forearm.rotation, forearm * Vector3d(0, 0, 0.2)}});
+  EXPECT_EQ(NamesOf(Execute(scene, {pose})), "forearm and cage\n");
+  scene.arms[0].unchecked.emplace_back("forearm", "cage");
+  EXPECT_EQ(NamesOf(Execute(scene, {pose})), "");
+}
+
+TEST(ExecutionTest, ArmFoldedIntoItself_ReportsItsLinks) {
+  const MotionScene scene = WithoutObstacles();
+  const ExecutionResult result = Execute(scene, {Angles({0, -1.5, 2, 0, 0, 0}), Angles({0, -1.5, 3.1, -1.5, -1.5, 0})});
+  ASSERT_FALSE(result.contacts.empty());
+  for (const ExecutionContact& contact : result.contacts) {
+    const std::vector<Link>& links = scene.PlannedArm().links;
+    const auto place = [&](const std::string& name) { return std::ranges::find(links, name, &Link::name); };
+    ASSERT_NE(place(contact.second), links.end());
+    EXPECT_GE(place(contact.second) - place(contact.first), 2) << NamesOf(result);
+  }
+}
+
+TEST(ExecutionTest, OtherArm_IsAnObstacle) {
+  MotionScene scene = WithoutObstacles();
+  SceneArm other = scene.arms[0];
+  other.arm.name = "other";
+  other.arm.base.position = {0, 0.6, 0};
+  other.rest = Angles({0, -1.57, 0, 0, 0, 0});
+  scene.arms.insert(scene.arms.begin(), other);
+  scene.planned_arm = 1;
+  const ExecutionResult result = Execute(scene, {Angles({0, -0.5, 0, 0, 0, 0}), Angles({1.6, -0.5, 0, 0, 0, 0})});
+  ASSERT_FALSE(result.contacts.empty());
+  for (const ExecutionContact& contact : result.contacts) EXPECT_EQ(contact.second.rfind("other's ", 0), 0U);
+}
+
+TEST(ExecutionTest, Snapshots_AreTakenAtTheirTimes) {
+  const MotionScene scene = WithoutObstacles();
+  ExecutionOptions options;
+  options.snapshot_times = {0.1, 0.4, 100};
+  double done = 0;
+  const TimedPath path(scene.PlannedArm(), {scene.start, scene.goal});
+  const ExecutionResult result = ExecutePath(scene, path, options, [&](double share) { done = share; });
+  EXPECT_EQ(done, 1);
+  ASSERT_EQ(result.snapshots.size(), 2U);  // The third is after the end.
+  for (const std::size_t i : {0U, 1U}) {
+    const double time = result.snapshots[i].time;
+    EXPECT_GE(time, options.snapshot_times[i]);
+    EXPECT_LT(time, options.snapshot_times[i] + 1 / options.step_rate);
+    const std::vector<Pose> expected = LinkPoses(scene.PlannedArm(), path.Sample(time).angles);
+    EXPECT_LE((result.snapshots[i].links.back().position - expected.back().position).norm(), 1e-5);
+  }
+}
+
+TEST(ExecutionTest, SameMotionTwice_IsTheSameToTheBit) {
+  const MotionScene scene = ShippedScene();
+  const ExecutionResult first = Execute(scene, {scene.start, scene.goal});
+  const ExecutionResult second = Execute(scene, {scene.start, scene.goal});
+  ASSERT_EQ(first.steps.size(), second.steps.size());
+  for (std::size_t i = 0; i < first.steps.size(); ++i) ASSERT_EQ(first.steps[i].angles, second.steps[i].angles);
+}
+
+TEST(ExecutionTest, OptionsOutOfRange_Throw) {
+  const MotionScene scene = OneJointScene();
+  const TimedPath path(scene.PlannedArm(), {Angles({0})});
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  for (const ExecutionOptions& options : {ExecutionOptions{.step_rate = 0, .snapshot_times = {}},
+                                          ExecutionOptions{.step_rate = kNan, .snapshot_times = {}},
+                                          ExecutionOptions{.hold_time = -1, .snapshot_times = {}},
+                                          ExecutionOptions{.position_gain = 0, .snapshot_times = {}},
+                                          ExecutionOptions{.position_gain = 1.1, .snapshot_times = {}},
+                                          ExecutionOptions{.solver_iterations = 0, .snapshot_times = {}}}) {
+    EXPECT_THROW(ExecutePath(scene, path, options), std::invalid_argument);
+  }
+}
+
+}  // namespace
+}  // namespace dgd_demos
