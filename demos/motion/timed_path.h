@@ -13,7 +13,8 @@ struct TimingOptions {
   /// UR5e needs less than two thirds of its shoulder's effort, gravity included.
   double max_acceleration = 5;
   /// How far the corners are cut at most, rad: the Euclidean distance in joint space from the nearest configuration of
-  /// the path. 0: the arm stops at each corner.
+  /// the path. 0: the arm stops at each corner. A point at most a metre from all axes is then off its path by at most
+  /// this many metres times the root of the number of joints: a path needs that much clearance.
   double max_deviation = 1e-3;
 };
 

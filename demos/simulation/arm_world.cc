@@ -177,6 +177,8 @@ void ArmWorld::AddMotors(double position_gain) {
     const btScalar max_impulse = ToBullet(arm_.joints[i].max_effort * time_step_);
     motors_.push_back(std::make_unique<btMultiBodyJointMotor>(&body_, static_cast<int>(i), btScalar(0), max_impulse));
     motors_.back()->setErp(ToBullet(position_gain));
+    // An arm that was held up does not catch up faster than its joints may turn.
+    motors_.back()->setRhsClamp(ToBullet(arm_.joints[i].max_velocity));
     world_.addMultiBodyConstraint(motors_.back().get());
   }
 }
@@ -208,6 +210,12 @@ Configuration ArmWorld::JointAngles() const {
   Configuration angles(static_cast<Eigen::Index>(arm_.joints.size()));
   for (int i = 0; i < body_.getNumLinks(); ++i) angles[i] = body_.getJointPos(i);
   return angles;
+}
+
+Eigen::VectorXd ArmWorld::JointVelocities() const {
+  Eigen::VectorXd velocities(static_cast<Eigen::Index>(arm_.joints.size()));
+  for (int i = 0; i < body_.getNumLinks(); ++i) velocities[i] = body_.getJointVel(i);
+  return velocities;
 }
 
 Eigen::VectorXd ArmWorld::MotorEfforts() const {

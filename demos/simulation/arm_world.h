@@ -44,8 +44,9 @@ class ArmWorld {
   void Step(const Configuration& now, const Configuration& next);
 
   Configuration JointAngles() const;
-  Eigen::VectorXd MotorEfforts() const;    ///< Mean over the last step, N m.
-  std::vector<Pose> LinkPosesNow() const;  ///< In the world by Bullet, base first.
+  Eigen::VectorXd JointVelocities() const;  ///< rad/s
+  Eigen::VectorXd MotorEfforts() const;     ///< Mean over the last step, N m.
+  std::vector<Pose> LinkPosesNow() const;   ///< In the world by Bullet, base first.
   Pose FlangePoseNow() const;
 
   /// A pair in contact in the last step: it overlapped when the step began, or one body pushed the other.

@@ -51,9 +51,12 @@ void Summarise(const Arm& arm, ExecutionResult& result) {
       result.greatest_error_place = step.flange;
     }
     for (std::size_t i = 0; i < arm.joints.size(); ++i) {
-      const double share = std::abs(step.efforts[static_cast<Eigen::Index>(i)]) / arm.joints[i].max_effort;
-      if (share <= result.greatest_effort_share) continue;
-      result.greatest_effort_share = share;
+      const auto joint = static_cast<Eigen::Index>(i);
+      const double velocity_share = std::abs(step.velocities[joint]) / arm.joints[i].max_velocity;
+      result.greatest_velocity_share = std::max(result.greatest_velocity_share, velocity_share);
+      const double effort_share = std::abs(step.efforts[joint]) / arm.joints[i].max_effort;
+      if (effort_share <= result.greatest_effort_share) continue;
+      result.greatest_effort_share = effort_share;
       result.greatest_effort_joint = arm.joints[i].name;
     }
   }
@@ -86,7 +89,7 @@ ExecutionResult ExecutePath(const MotionScene& scene, const TimedPath& path, con
       break;
     }
     const double tracking_error = (flange - FlangePose(arm, planned).position).norm();
-    result.steps.push_back({end, planned, angles, world.MotorEfforts(), flange, tracking_error,
+    result.steps.push_back({end, planned, angles, world.JointVelocities(), world.MotorEfforts(), flange, tracking_error,
                             static_cast<int>(world.Contacts().size())});
     AddContacts(world, begin, result.contacts);
     for (; next_snapshot != options.snapshot_times.end() && *next_snapshot <= end; ++next_snapshot) {

@@ -28,13 +28,14 @@ struct ExecutionOptions {
 
 /// What is known at the end of a step.
 struct ExecutionStep {
-  double time;              ///< s
-  Configuration planned;    ///< Angles of the timed path at that time, rad.
-  Configuration angles;     ///< Angles of the joints in the world, rad.
-  Eigen::VectorXd efforts;  ///< Of the motors in the step, N m; at most the joint's max_effort.
-  Eigen::Vector3d flange;   ///< In the world, by Bullet's pose of the last link, m.
-  double tracking_error;    ///< From the flange to where the planned angles would have it, m.
-  int contacts;             ///< Pairs in contact at the beginning of the step.
+  double time;                 ///< s
+  Configuration planned;       ///< Angles of the timed path at that time, rad.
+  Configuration angles;        ///< Angles of the joints in the world, rad.
+  Eigen::VectorXd velocities;  ///< Of the joints in the world, rad/s.
+  Eigen::VectorXd efforts;     ///< Of the motors in the step, N m; at most the joint's max_effort.
+  Eigen::Vector3d flange;      ///< In the world, by Bullet's pose of the last link, m.
+  double tracking_error;       ///< From the flange to where the planned angles would have it, m.
+  int contacts;                ///< Pairs in contact at the beginning of the step.
 };
 
 /// Two bodies in contact: they overlap, or one pushes the other.
@@ -61,6 +62,7 @@ struct ExecutionResult {
   Eigen::Vector3d greatest_error_place = {0, 0, 0};  ///< Where the flange was then, m.
   double rms_error = 0;                              ///< Over all steps, m.
   double final_error = 0;                            ///< At the end of the hold, m.
+  double greatest_velocity_share = 0;                ///< Of a joint's max_velocity.
   double greatest_effort_share = 0;                  ///< Of a joint's max_effort; 1 if a motor was too weak.
   std::string greatest_effort_joint;                 ///< Whose effort that was.
 
@@ -69,6 +71,12 @@ struct ExecutionResult {
   std::vector<ExecutionSnapshot> snapshots;
 };
 
+/// What the tracking error tells: Bullet's joint motors are constraints of limited effort, solved together with the
+/// arm's dynamics, so that they know the effort that each step needs. As long as no joint needs more than it has and
+/// nothing is in the way, the error is of rounding, which no controller of a real arm achieves. A larger error means
+/// that the motion is not one for these joints, or that the arm was held up; how near it is to the former, the shares
+/// of effort and velocity tell.
+///
 /// Simulates the scene's planned arm, with gravity and joint motors of limited effort, along the path and through the
 /// hold after it. It starts at rest at the path's first configuration; obstacles and the other arms, at rest, are
 /// fixed. Collisions, by the plugin, are those of the pairs that planning checks: neighbouring links and the scene's

@@ -40,6 +40,19 @@ Configuration Angles(const std::vector<double>& angles) {
   return Eigen::Map<const Eigen::VectorXd>(angles.data(), static_cast<Eigen::Index>(angles.size()));
 }
 
+/// A sweep of the arm, stretched out by half, from left to right.
+JointPath Sweep() { return {Angles({0.9, -1.2, 1.6, -1.9, -1.57, 0}), Angles({-0.9, -1.2, 1.6, -1.9, -1.57, 0})}; }
+
+/// Posts that stand in the sweep's way.
+MotionScene SceneWithPosts() {
+  MotionScene scene = WithoutObstacles();
+  for (const double side : {1, -1}) {
+    const Pose pose = {Eigen::Matrix3d::Identity(), {0.45, side * 0.3, 0.45}};
+    scene.obstacles.push_back({side > 0 ? "left_post" : "right_post", Cylinder{0.05, 0.9}, pose});
+  }
+  return scene;
+}
+
 ExecutionResult Execute(const MotionScene& scene, const JointPath& path, const ExecutionOptions& options = {}) {
   const ExecutionResult result = ExecutePath(scene, TimedPath(scene.PlannedArm(), path), options);
   EXPECT_EQ(result.failure.value_or(""), "");
@@ -139,18 +152,33 @@ TEST(ExecutionTest, FlangeAndLinks_AreWhereKinematicsSays) {
 
 TEST(ExecutionTest, MotionInFreeSpace_IsTracked) {
   const MotionScene scene = WithoutObstacles();
-  const Configuration corner = Angles({0, -1.8, 2.1, -1.9, -0.6, 1});
+  const JointPath path = {Sweep().front(), Angles({0, -1.8, 2.1, -1.9, -0.6, 1}), Sweep().back()};
   for (const double rate : {60.0, 240.0}) {
     ExecutionOptions options;
     options.step_rate = rate;
-    const ExecutionResult result = Execute(scene, {scene.start, corner, scene.goal}, options);
+    const ExecutionResult result = Execute(scene, path, options);
     EXPECT_LE(result.greatest_error, IsDouble() ? 1e-6 : 1e-5) << rate;
     EXPECT_LE(result.rms_error, result.greatest_error);
-    EXPECT_LE((result.steps.back().flange - FlangePose(scene.PlannedArm(), scene.goal).position).norm(), 1e-5);
+    EXPECT_LE((result.steps.back().flange - FlangePose(scene.PlannedArm(), path.back()).position).norm(), 1e-5);
     EXPECT_LT(result.greatest_effort_share, 0.5);
+    EXPECT_LE(result.greatest_velocity_share, 1 + 1e-5);
     EXPECT_EQ(NamesOf(result), "");
-    EXPECT_NEAR(result.duration, TimedPath(scene.PlannedArm(), {scene.start, corner, scene.goal}).Duration() + 0.5,
-                1 / rate);
+    EXPECT_NEAR(result.duration, TimedPath(scene.PlannedArm(), path).Duration() + 0.5, 1 / rate);
+  }
+}
+
+// Around the posts, under the shelf and past the block; 5 cm away from them.
+TEST(ExecutionTest, MotionBetweenTheShippedObstacles_TouchesNothing) {
+  const MotionScene scene = ShippedScene();
+  const JointPath path = {Angles({-1.3, -1.2, 1.6, -1.97, -1.57, 0}), Angles({-1.3, -1.79, 2.04, -1.91, -2.2, -0.81}),
+                          Angles({-0.48, -2.02, 2.25, -2.08, -2.25, -1}), Angles({-0.1, -1.2, 1.6, -1.97, -1.57, 0})};
+  for (const double rate : {60.0, 240.0}) {
+    ExecutionOptions options;
+    options.step_rate = rate;
+    const ExecutionResult result = Execute(scene, path, options);
+    EXPECT_EQ(NamesOf(result), "");
+    EXPECT_LT(result.greatest_error, 1e-5);
+    EXPECT_LT((result.steps.back().flange - FlangePose(scene.PlannedArm(), path.back()).position).norm(), 1e-5);
   }
 }
 
@@ -170,6 +198,20 @@ TEST(ExecutionTest, MotorsTooWeak_FallBehind) {
   EXPECT_GT(result.greatest_error, 0.01);
   EXPECT_NEAR(result.greatest_effort_share, 1, 1e-5);
   EXPECT_EQ(result.greatest_effort_joint, "shoulder_lift");
+}
+
+// It lags while it speeds up with half the effort it needs, and would have to exceed the limit to be quick again.
+TEST(ExecutionTest, ArmThatCatchesUp_StaysWithinItsVelocity) {
+  MotionScene scene = OneJointScene();
+  Joint& joint = scene.arms[0].arm.joints[0];
+  joint.max_velocity = 0.8;
+  joint.max_effort = 1.25;
+  ExecutionOptions options;
+  options.hold_time = 0;
+  const ExecutionResult result = Execute(scene, {Angles({0}), Angles({2})}, options);
+  EXPECT_GT(result.greatest_error, 0.01);
+  EXPECT_LE(result.greatest_velocity_share, 1 + 1e-5);
+  EXPECT_GT(result.greatest_velocity_share, 0.99);
 }
 
 // Torque is inertia times angular acceleration, with the parallel axes' part; the flange's error is then rounding.
@@ -195,8 +237,7 @@ TEST(ExecutionTest, SpeedingUp_NeedsTheEffortOfTheInertia) {
 }
 
 TEST(ExecutionTest, ObstacleInTheWay_IsReportedByName) {
-  const MotionScene scene = ShippedScene();
-  const ExecutionResult result = Execute(scene, {scene.start, scene.goal});
+  const ExecutionResult result = Execute(SceneWithPosts(), Sweep());
   EXPECT_TRUE(HasContact(result, "wrist_1", "left_post")) << NamesOf(result);
   EXPECT_GT(result.greatest_error, 0.01);
   for (const ExecutionContact& contact : result.contacts) {
@@ -227,7 +268,7 @@ TEST(ExecutionTest, ContactBegins_WhenTheShapesMeet) {
 
 TEST(ExecutionTest, UncheckedPairsAndNeighbours_GoThroughEachOther) {
   MotionScene scene = WithoutObstacles();
-  const Configuration pose = scene.start;
+  const Configuration pose = Sweep().front();
   const Pose forearm = LinkPoses(scene.PlannedArm(), pose)[3];
   scene.obstacles.push_back({"cage", Box{{0.05, 0.05, 0.05}}, {forearm.rotation, forearm * Vector3d(0, 0, 0.2)}});
   EXPECT_EQ(NamesOf(Execute(scene, {pose})), "forearm and cage\n");
@@ -265,7 +306,7 @@ TEST(ExecutionTest, Snapshots_AreTakenAtTheirTimes) {
   ExecutionOptions options;
   options.snapshot_times = {0.1, 0.4, 100};
   double done = 0;
-  const TimedPath path(scene.PlannedArm(), {scene.start, scene.goal});
+  const TimedPath path(scene.PlannedArm(), Sweep());
   const ExecutionResult result = ExecutePath(scene, path, options, [&](double share) { done = share; });
   EXPECT_EQ(done, 1);
   ASSERT_EQ(result.snapshots.size(), 2U);  // The third is after the end.
@@ -279,9 +320,8 @@ TEST(ExecutionTest, Snapshots_AreTakenAtTheirTimes) {
 }
 
 TEST(ExecutionTest, SameMotionTwice_IsTheSameToTheBit) {
-  const MotionScene scene = ShippedScene();
-  const ExecutionResult first = Execute(scene, {scene.start, scene.goal});
-  const ExecutionResult second = Execute(scene, {scene.start, scene.goal});
+  const ExecutionResult first = Execute(SceneWithPosts(), Sweep());
+  const ExecutionResult second = Execute(SceneWithPosts(), Sweep());
   ASSERT_EQ(first.steps.size(), second.steps.size());
   for (std::size_t i = 0; i < first.steps.size(); ++i) ASSERT_EQ(first.steps[i].angles, second.steps[i].angles);
 }
