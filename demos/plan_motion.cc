@@ -1,4 +1,6 @@
 // plan_motion: the motion of an arm between obstacles, planned, proven free, and smoothed. See --help.
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -11,11 +13,14 @@
 #include "motion/path_picture.h"
 #include "motion/plan_report.h"
 #include "motion/plan_run.h"
+#include "motion/timed_path.h"
 #include "plan_motion_options.h"
 #include "program_main.h"
 #include "render/png_file.h"
 #include "report/csv_file.h"
+#include "report/execution_csv.h"
 #include "report/progress_bar.h"
+#include "simulation/execution.h"
 
 namespace dgd_demos {
 namespace {
@@ -43,8 +48,8 @@ class ProgressDisplay {
 void WritePaths(const PlanRun& run, const CollisionModel& model, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   // Whatever an earlier run has left is not of this one.
-  for (const char* name :
-       {"path_found.csv", "path_simplified.csv", "path_smoothed.csv", "path.png", "path_other_side.png"}) {
+  for (const char* name : {"path_found.csv", "path_simplified.csv", "path_smoothed.csv", "path.png",
+                           "path_other_side.png", "execution.csv", "execution.png"}) {
     std::filesystem::remove(folder / name);
   }
   if (!run.found.empty()) WritePathCsv(folder / "path_found.csv", model, run.found);
@@ -74,19 +79,45 @@ void WriteComparison(const std::vector<CheckTimes>& times, const std::filesystem
   csv.Flush();
 }
 
+// Carries out the smoothed path in a world on the plugin.
+void Execute(const MotionScene& scene, const CollisionModel& model, ProgressDisplay& display, PlanRun& run) {
+  // Corners are cut by as much of the clearance as leaves half of it, for points at most a metre from the axes.
+  TimingOptions timing;
+  const double joints = static_cast<double>(model.arm().joints.size());
+  timing.max_deviation = std::min(timing.max_deviation, run.after.signed_distance.value / (2 * std::sqrt(joints)));
+  const TimedPath path(model.arm(), run.smoothed, timing);
+  run.execution = ExecutePath(scene, path, {}, [&](double share) { display.Update("execution", share); });
+}
+
+void WriteExecution(const PlanRun& run, const CollisionModel& model, bool draws, const std::filesystem::path& folder) {
+  const std::vector<ExecutionStep>& steps = run.execution->steps;
+  WriteExecutionCsv(folder / "execution.csv", model.arm(), steps);
+  if (!draws || steps.empty()) return;
+  JointPath states;
+  std::vector<double> times;
+  for (const ExecutionStep& step : steps) {
+    states.push_back(step.angles);
+    times.push_back(step.time);
+  }
+  WritePng(folder / "execution.png", DrawContactSheet({model, run.smoothed, times, states}));
+}
+
 PlanRun PlanAndWrite(const MotionScene& scene, const CollisionModel& model, const PlanMotionOptions& options,
                      std::uint64_t seed, RunsCsv& csv) {
   ProgressDisplay display(seed);
   PlanRun run = PlanMotion(scene, model, {options.planner, options.time_limit, seed, options.compares},
                            [&](std::string_view work, double share) { display.Update(work, share); });
-  csv.Write(run);
   const std::filesystem::path folder =
       options.seeds == 1 ? options.out : options.out / ("seed_" + std::to_string(seed));
   WritePaths(run, model, folder);
-  if (options.draws && !run.failure) {
+  if (!run.failure) Execute(scene, model, display, run);
+  csv.Write(run);
+  if (run.failure) return run;
+  if (options.draws) {
     display.Update("pictures", 0);
     WritePictures(run, model, folder);
   }
+  WriteExecution(run, model, options.draws, folder);
   return run;
 }
 
@@ -112,6 +143,9 @@ ExitStatus Run(const PlanMotionOptions& options) {
   std::printf("%s: the arm %s, %zu pairs of bodies\n\n%s", scene.file.c_str(), model.arm().name.c_str(),
               model.pairs().size(), FormatRuns(runs).c_str());
   if (runs.size() == 1 && !runs[0].failure) std::printf("\n%s", FormatPlaces(model, runs[0]).c_str());
+  for (const PlanRun& run : runs) {
+    if (run.execution) std::printf("%s", FormatContacts(*run.execution).c_str());
+  }
   if (options.compares && !visited.empty()) {
     ProgressBar progress("comparison", 1);
     const std::vector<CheckTimes> times = CompareChecks(model, visited, [&](double share) { progress.Update(share); });
@@ -122,8 +156,9 @@ ExitStatus Run(const PlanMotionOptions& options) {
 
   ExitStatus status = kSuccess;
   for (const PlanRun& run : runs) {
-    if (!run.failure) continue;
-    std::fprintf(stderr, "%s\n", run.failure->c_str());
+    const std::optional<std::string>& failure = run.execution ? run.execution->failure : run.failure;
+    if (!failure) continue;
+    std::fprintf(stderr, "%s\n", failure->c_str());
     status = kNoPath;
   }
   return status;

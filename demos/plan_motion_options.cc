@@ -11,7 +11,8 @@ namespace {
 
 constexpr const char* kDescription =
     R"(Plans the motion of a robot arm between obstacles with OMPL, on collision checks by the growth distance; proves
-that the path is free, and pushes it away from what it nearly hits, along the growth distance's gradients.)";
+that the path is free, pushes it away from what it nearly hits, along the growth distance's gradients, and has it
+carried out in a Bullet world.)";
 
 constexpr const char* kFooter = R"(
 Examples:
@@ -29,11 +30,15 @@ How a path is made:
   smoothing         each configuration is pushed along the joint-space gradient of the growth distance of what is
                     near, and pulled towards its neighbours; the path gets a tenth longer at most. Re-checked, too
 
+  execution         the arm as a Bullet multibody with joint motors and gravity, on this project's narrowphase,
+                    along the smoothed path, as fast as the joints' velocity limits and 5 rad/s^2 allow
+
 Figures:
   pair checks       one pair of convex bodies each: a link and an obstacle, or two links that are no neighbours; a
                     state's first collision ends its checks
   by a cached plane decided by the plane that separated the pair last, without a search
   clearance         the least signed distance of any pair along the path, at the resolution of the re-check
+  tracking error    from the flange in the world to where the path has it at that time
   growth distance   the common scale at which a pair touches, each body scaled about its centre: above 1 apart
 
 Written into DIR (with --seeds N: paths and pictures into DIR/seed_1, ...):
@@ -44,11 +49,13 @@ Written into DIR (with --seeds N: paths and pictures into DIR/seed_1, ...):
                          each with joint angles, flange and clearance in each row
   path.png, path_other_side.png
                          start, goal and the arm between; the flange's way in red, and in grey before smoothing
+  execution.csv          one row a step: angles, velocities and efforts, flange, tracking error
+  execution.png          the arm at six moments of the execution
   comparison.csv         with --compare
 
 The same seed gives the same path, unless the time limit ends a search.
 
-Exit status: 0 all runs have a plan; 1 one has none, or start or goal is in collision; 2 wrong command line or
+Exit status: 0 all runs have a plan and were carried out; 1 one has none, or start or goal is in collision; 2 wrong command line or
 scene file (a limit exceeded, an unknown joint), or the output cannot be written.)";
 
 constexpr const char* kDefaultScene = "scenes/ur5e_five_obstacles.json";

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <optional>
 
 #include "render/scene_renderer.h"
 #include "render/shortest_turn.h"
@@ -13,11 +15,12 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kWidth = 1280, kHeight = 720;
-constexpr int kPosesBetween = 5;         // Of the arm, between start and goal.
-constexpr double kTraceStep = 0.04;      // rad
-constexpr double kTraceRadius = 0.01;    // m
-constexpr double kBeforeRadius = 0.004;  // m
-constexpr double kLargestInFrame = 0.7;  // Of an obstacle that has to be in the picture as a whole, m.
+constexpr int kPanelWidth = 640, kPanelHeight = 400;  // Of a contact sheet.
+constexpr int kPosesBetween = 5;                      // Of the arm, between start and goal.
+constexpr double kTraceStep = 0.04;                   // rad
+constexpr double kTraceRadius = 0.01;                 // m
+constexpr double kBeforeRadius = 0.004;               // m
+constexpr double kLargestInFrame = 0.7;               // Of an obstacle that has to be in the picture as a whole, m.
 
 // sRGB.
 const Vector3d kStartColour(0.20, 0.55, 0.86), kGoalColour(0.25, 0.65, 0.33), kBetweenColour(0.83, 0.84, 0.87);
@@ -101,14 +104,8 @@ double FloorHeight(const CollisionModel& model) {
   return lowest;
 }
 
-}  // namespace
-
-Image Draw(const PathPicture& picture) {
-  const CollisionModel& model = picture.model;
-  Drawing drawing;
-  drawing.turn = Eigen::AngleAxisd(picture.turn, Vector3d::UnitZ()).toRotationMatrix();
-  std::vector<Ball> frame;
-  std::vector<CollisionModel::Poses> drawn;
+// The floor and all that does not move.
+void AddSurroundings(const CollisionModel& model, Drawing& drawing, std::vector<Ball>& frame) {
   constexpr double kFloorThickness = 0.1;  // m
   Pose floor;
   floor.position.z() = FloorHeight(model) - kFloorThickness;
@@ -120,6 +117,44 @@ Image Draw(const PathPicture& picture) {
     drawing.Add(part.body.shape(), part.pose, is_large ? kLargeObstacleColour : kObstacleColour);
     if (!is_large) frame.push_back({part.pose.position, radius});
   }
+}
+
+// What the arm takes up along a path, so that all pictures of a motion are seen from the same place.
+void FrameArm(const CollisionModel& model, const JointPath& path, std::vector<Ball>& frame) {
+  Drawing unused{Eigen::Matrix3d::Identity(), {}, {}, {}};
+  for (int i = 0; i <= kPosesBetween; ++i) {
+    std::vector<CollisionModel::Poses> drawn;
+    AddArm(model, At(path, double(i) / kPosesBetween), kBetweenColour, unused, frame, drawn);
+  }
+}
+
+Image DrawMoment(const ExecutionPicture& picture, std::size_t step) {
+  const CollisionModel& model = picture.model;
+  Drawing drawing{Eigen::Matrix3d::Identity(), {}, {}, {}};
+  std::vector<Ball> frame;
+  std::vector<CollisionModel::Poses> drawn;
+  AddSurroundings(model, drawing, frame);
+  FrameArm(model, picture.planned, frame);
+  AddArm(model, picture.states[step], kBetweenColour, drawing, frame, drawn);
+  AddTrace(model, picture.planned, kBeforeRadius, kBeforeColour, drawing);
+  const JointPath until(picture.states.begin(), picture.states.begin() + static_cast<std::ptrdiff_t>(step) + 1);
+  AddTrace(model, until, kTraceRadius, kTraceColour, drawing);
+  SceneRenderer renderer(drawing.bodies, SpeedScale(1), kPanelWidth, kPanelHeight);
+  const std::vector<LegendEntry> legend = {{kTraceColour, "the flange's way"}, {kBeforeColour, "planned"}};
+  char title[32];
+  std::snprintf(title, sizeof title, "%.2f s", picture.times[step]);
+  return renderer.Render({drawing.state, FrameAll(frame, renderer.aspect()), title, "", drawing.colours, legend});
+}
+
+}  // namespace
+
+Image Draw(const PathPicture& picture) {
+  const CollisionModel& model = picture.model;
+  Drawing drawing;
+  drawing.turn = Eigen::AngleAxisd(picture.turn, Vector3d::UnitZ()).toRotationMatrix();
+  std::vector<Ball> frame;
+  std::vector<CollisionModel::Poses> drawn;
+  AddSurroundings(model, drawing, frame);
   AddArm(model, picture.path.front(), kStartColour, drawing, frame, drawn);
   AddArm(model, picture.path.back(), kGoalColour, drawing, frame, drawn);
   for (int i = 1; i <= kPosesBetween; ++i) {
@@ -138,6 +173,21 @@ Image Draw(const PathPicture& picture) {
                                            {kObstacleColour, "obstacles"}};
   return renderer.Render(
       {drawing.state, FrameAll(frame, renderer.aspect()), picture.title, picture.subtitle, drawing.colours, legend});
+}
+
+Image DrawContactSheet(const ExecutionPicture& picture) {
+  constexpr std::size_t kColumns = 3, kRows = 2;
+  std::optional<Image> sheet;
+  for (std::size_t row = 0; row < kRows; ++row) {
+    std::optional<Image> strip;
+    for (std::size_t column = 0; column < kColumns; ++column) {
+      const std::size_t moment = row * kColumns + column, last = picture.states.size() - 1;
+      const Image panel = DrawMoment(picture, last * moment / (kColumns * kRows - 1));
+      strip = strip ? SideBySide(*strip, panel) : panel;
+    }
+    sheet = sheet ? Stacked(*sheet, *strip) : *strip;
+  }
+  return *sheet;
 }
 
 }  // namespace dgd_demos

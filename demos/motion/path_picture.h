@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "motion/collision_model.h"
 #include "motion/joint_path.h"
@@ -16,6 +17,16 @@ struct PathPicture {
   std::string title, subtitle;
   double turn = 0;  ///< Of all that is seen, about the vertical axis, rad.
 };
+
+struct ExecutionPicture {
+  const CollisionModel& model;
+  const JointPath& planned;          ///< Whose trace is drawn in grey.
+  const std::vector<double>& times;  ///< Of the states, s.
+  const JointPath& states;           ///< As the arm was in the simulation; the trace is red.
+};
+
+/// The arm at six moments, from the first state to the last, each with the flange's way until then.
+Image DrawContactSheet(const ExecutionPicture& picture);
 
 /// Draws off screen; some seconds.
 Image Draw(const PathPicture& picture);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <limits>
 
 #include "motion/plane_cache.h"
 
@@ -19,6 +20,12 @@ struct PlanFigure {
 };
 
 double Count(std::int64_t count) { return static_cast<double>(count); }
+
+// NaN if the path was not carried out.
+template <class Figure>
+double OfExecution(const PlanRun& run, const Figure& figure) {
+  return run.execution ? double(figure(*run.execution)) : std::numeric_limits<double>::quiet_NaN();
+}
 
 constexpr std::array kFigures = {
     PlanFigure{"search_s", "search and simplification (ms)", 1e-3, 2, [](const PlanRun& r) { return r.search_time; }},
@@ -55,6 +62,20 @@ constexpr std::array kFigures = {
                [](const PlanRun& r) { return r.smoothing_time; }},
     PlanFigure{"rechecked_states", "states with certificates, final path", 1, 0,
                [](const PlanRun& r) { return Count(r.rechecked_states); }},
+    PlanFigure{"execution_s", "duration of the execution (s)", 1, 2,
+               [](const PlanRun& r) { return OfExecution(r, [](const auto& e) { return e.duration; }); }},
+    PlanFigure{"tracking_error_m", "flange's tracking error, greatest (mm)", 1e-3, 3,
+               [](const PlanRun& r) { return OfExecution(r, [](const auto& e) { return e.greatest_error; }); }},
+    PlanFigure{"rms_tracking_error_m", "flange's tracking error, rms (mm)", 1e-3, 3,
+               [](const PlanRun& r) { return OfExecution(r, [](const auto& e) { return e.rms_error; }); }},
+    PlanFigure{
+        "velocity_share", "of a joint's velocity limit, at most (%)", 0.01, 1,
+        [](const PlanRun& r) { return OfExecution(r, [](const auto& e) { return e.greatest_velocity_share; }); }},
+    PlanFigure{"effort_share", "of a joint's effort limit, at most (%)", 0.01, 1,
+               [](const PlanRun& r) { return OfExecution(r, [](const auto& e) { return e.greatest_effort_share; }); }},
+    PlanFigure{
+        "contacts", "contacts during the execution", 1, 0,
+        [](const PlanRun& r) { return OfExecution(r, [](const auto& e) { return double(e.contacts.size()); }); }},
 };
 
 std::string Line(const std::string& title, const std::vector<std::string>& values) {
@@ -108,6 +129,16 @@ std::string FormatPlaces(const CollisionModel& model, const PlanRun& run) {
          "\nclearance after: " + Place(model, run.after.signed_distance) +
          "\nleast growth distance before: " + Place(model, run.before.growth_distance) +
          "\nleast growth distance after: " + Place(model, run.after.growth_distance) + "\n";
+}
+
+std::string FormatContacts(const ExecutionResult& execution) {
+  std::string text;
+  for (const ExecutionContact& contact : execution.contacts) {
+    text += "contact: " + contact.first + " and " + contact.second + ", " + Format(contact.begin, 2) + " to " +
+            Format(contact.end, 2) + " s, least distance " + Format(1e3 * contact.least_distance, 2) + " mm, up to " +
+            Format(contact.greatest_force, 1) + " N\n";
+  }
+  return text;
 }
 
 std::string FormatComparison(const std::vector<CheckTimes>& times) {

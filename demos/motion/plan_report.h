@@ -18,6 +18,9 @@ std::string FormatRuns(const std::vector<PlanRun>& runs);
 /// Where along the paths the least distances are, and between what: of one run.
 std::string FormatPlaces(const CollisionModel& model, const PlanRun& run);
 
+/// A line for each pair that touched while the path was carried out; empty if none did.
+std::string FormatContacts(const ExecutionResult& execution);
+
 /// Times and differing answers of the checks, a row a library.
 std::string FormatComparison(const std::vector<CheckTimes>& times);
 

@@ -13,6 +13,7 @@
 #include "motion/motion_scene.h"
 #include "motion/sampling_planner.h"
 #include "motion/state_checker.h"
+#include "simulation/execution.h"
 
 namespace dgd_demos {
 
@@ -40,6 +41,7 @@ struct PlanRun {
   JointPath simplified;                ///< Certified, if there is a plan.
   JointPath smoothed;                  ///< Certified; the simplified one if smoothing gained nothing.
   Clearance before, after;             ///< Of the simplified and the smoothed path.
+  std::optional<ExecutionResult> execution;  ///< Of the smoothed path, by whoever has it carried out.
   std::vector<Configuration> visited;  ///< States checked by search and simplification, in their order.
 };
 

@@ -4,9 +4,22 @@
 
 namespace dgd_demos {
 
+namespace {
+
+constexpr int kGap = 4;  // Pixels.
+constexpr std::uint8_t kWhite = 255;
+
+}  // namespace
+
+Image Stacked(const Image& top, const Image& bottom) {
+  Image both(top.width, top.height + kGap + bottom.height);
+  std::ranges::fill(both.rgb, kWhite);
+  std::ranges::copy(top.rgb, both.rgb.begin());
+  std::copy_n(bottom.rgb.data(), bottom.rgb.size(), both.Pixel(0, top.height + kGap));
+  return both;
+}
+
 Image SideBySide(const Image& left, const Image& right) {
-  constexpr int kGap = 4;  // Pixels.
-  constexpr std::uint8_t kWhite = 255;
   Image both(left.width + kGap + right.width, left.height);
   std::ranges::fill(both.rgb, kWhite);
   for (int row = 0; row < both.height; ++row) {

@@ -22,6 +22,9 @@ struct Image {
   }
 };
 
+/// The two pictures with a thin white line between them. @pre equal widths.
+Image Stacked(const Image& top, const Image& bottom);
+
 /// The two pictures with a thin white line between them. @pre equal heights.
 Image SideBySide(const Image& left, const Image& right);
 
