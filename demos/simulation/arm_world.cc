@@ -132,6 +132,7 @@ void ArmWorld::AddArm(const Configuration& start) {
     names_.push_back(arm_.links[i].name);
     MakeCompound(arm_.links[i].shapes, CentreOf(i));
   }
+  // Which links collide is the filter's to say.
   for (std::size_t i = 0; i < arm_.joints.size(); ++i) {
     const Joint& joint = arm_.joints[i];
     const Link& link = arm_.links[i + 1];
@@ -139,7 +140,7 @@ void ArmWorld::AddArm(const Configuration& start) {
     body_.setupRevolute(static_cast<int>(i), ToBullet(link.mass), InertiaOf(link, *compounds_[i + 1]),
                         static_cast<int>(i) - 1, parent_to_link, ToBullet(joint.axis),
                         ToBullet(joint.origin.position - CentreOf(i)), ToBullet(CentreOf(i + 1)),
-                        /*disableParentCollision=*/true);
+                        /*disableParentCollision=*/false);
   }
   body_.finalizeMultiDof();
   // Nothing but gravity, motors and contacts acts on the arm.

@@ -38,7 +38,8 @@ struct ExecutionStep {
   int contacts;                ///< Pairs in contact at the beginning of the step.
 };
 
-/// Two bodies in contact: they overlap, or one pushes the other.
+/// Two bodies in contact: they overlap, or one pushes the other. A link that runs into something overlaps it by up to
+/// what it moves in a step before it is stopped: Bullet meets no part of a compound ahead.
 struct ExecutionContact {
   std::string first, second;  ///< The first is a link of the planned arm. Links of other arms as "NAME's LINK".
   double begin, end;          ///< The first and the last time, s.
