@@ -55,7 +55,8 @@ double DistanceFrom(const Configuration& point, const JointPath& path) {
 
 std::vector<JointState> SamplesOf(const TimedPath& timed) {
   std::vector<JointState> samples;
-  for (double time = 0; time < timed.Duration() + kStep; time += kStep) samples.push_back(timed.Sample(time));
+  const int steps = static_cast<int>(std::ceil(timed.Duration() / kStep));
+  for (int i = 0; i <= steps; ++i) samples.push_back(timed.Sample(i * kStep));
   return samples;
 }
 
