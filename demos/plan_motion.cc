@@ -28,6 +28,9 @@ namespace {
 // The first so many states of each run: as many as an hour's comparison does not need.
 constexpr std::size_t kMostComparedStates = 20'000;
 
+// From where all that is behind something in one picture is before it in the other, rad.
+constexpr double kOtherSide = 1.5;
+
 // One bar for each kind of work, which wipes that of the work before.
 class ProgressDisplay {
  public:
@@ -64,7 +67,6 @@ void WritePictures(const PlanRun& run, const CollisionModel& model, const std::f
                 static_cast<unsigned long long>(run.seed), Length(run.smoothed), 1e3 * run.after.signed_distance.value,
                 1e3 * run.before.signed_distance.value);
   const std::string title = "Motion of " + model.arm().name;
-  constexpr double kOtherSide = 1.5;  // rad
   WritePng(folder / "path.png", Draw({model, run.smoothed, run.simplified, title, subtitle}));
   WritePng(folder / "path_other_side.png", Draw({model, run.smoothed, run.simplified, title, subtitle, kOtherSide}));
 }
@@ -99,7 +101,7 @@ void WriteExecution(const PlanRun& run, const CollisionModel& model, bool draws,
     states.push_back(step.angles);
     times.push_back(step.time);
   }
-  WritePng(folder / "execution.png", DrawContactSheet({model, run.smoothed, times, states}));
+  WritePng(folder / "execution.png", DrawContactSheet({model, run.smoothed, times, states, kOtherSide}));
 }
 
 PlanRun PlanAndWrite(const MotionScene& scene, const CollisionModel& model, const PlanMotionOptions& options,

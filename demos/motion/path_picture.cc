@@ -44,6 +44,10 @@ struct Drawing {
   }
 };
 
+Eigen::Matrix3d TurnAboutVertical(double angle) {
+  return Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
+}
+
 // The configuration at a share of the path's length.
 Configuration At(const JointPath& path, double share) {
   double remaining = share * Length(path);
@@ -130,7 +134,7 @@ void FrameArm(const CollisionModel& model, const JointPath& path, std::vector<Ba
 
 Image DrawMoment(const ExecutionPicture& picture, std::size_t step) {
   const CollisionModel& model = picture.model;
-  Drawing drawing{Eigen::Matrix3d::Identity(), {}, {}, {}};
+  Drawing drawing{TurnAboutVertical(picture.turn), {}, {}, {}};
   std::vector<Ball> frame;
   std::vector<CollisionModel::Poses> drawn;
   AddSurroundings(model, drawing, frame);
@@ -139,8 +143,9 @@ Image DrawMoment(const ExecutionPicture& picture, std::size_t step) {
   AddTrace(model, picture.planned, kBeforeRadius, kBeforeColour, drawing);
   const JointPath until(picture.states.begin(), picture.states.begin() + static_cast<std::ptrdiff_t>(step) + 1);
   AddTrace(model, until, kTraceRadius, kTraceColour, drawing);
+  for (Ball& ball : frame) ball.centre = drawing.turn * ball.centre;
   SceneRenderer renderer(drawing.bodies, SpeedScale(1), kPanelWidth, kPanelHeight);
-  const std::vector<LegendEntry> legend = {{kTraceColour, "the flange's way"}, {kBeforeColour, "planned"}};
+  const std::vector<LegendEntry> legend = {{kTraceColour, "way of the flange"}, {kBeforeColour, "planned"}};
   char title[32];
   std::snprintf(title, sizeof title, "%.2f s", picture.times[step]);
   return renderer.Render({drawing.state, FrameAll(frame, renderer.aspect()), title, "", drawing.colours, legend});
@@ -151,7 +156,7 @@ Image DrawMoment(const ExecutionPicture& picture, std::size_t step) {
 Image Draw(const PathPicture& picture) {
   const CollisionModel& model = picture.model;
   Drawing drawing;
-  drawing.turn = Eigen::AngleAxisd(picture.turn, Vector3d::UnitZ()).toRotationMatrix();
+  drawing.turn = TurnAboutVertical(picture.turn);
   std::vector<Ball> frame;
   std::vector<CollisionModel::Poses> drawn;
   AddSurroundings(model, drawing, frame);

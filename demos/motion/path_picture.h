@@ -23,6 +23,7 @@ struct ExecutionPicture {
   const JointPath& planned;          ///< Whose trace is drawn in grey.
   const std::vector<double>& times;  ///< Of the states, s.
   const JointPath& states;           ///< As the arm was in the simulation; the trace is red.
+  double turn = 0;                   ///< As above.
 };
 
 /// The arm at six moments, from the first state to the last, each with the flange's way until then.

@@ -64,9 +64,9 @@ constexpr std::array kFigures = {
                [](const PlanRun& r) { return Count(r.rechecked_states); }},
     PlanFigure{"execution_s", "duration of the execution (s)", 1, 2,
                [](const PlanRun& r) { return OfExecution(r, [](const auto& e) { return e.duration; }); }},
-    PlanFigure{"tracking_error_m", "flange's tracking error, greatest (mm)", 1e-3, 3,
+    PlanFigure{"tracking_error_m", "flange's tracking error, greatest (um)", 1e-6, 3,
                [](const PlanRun& r) { return OfExecution(r, [](const auto& e) { return e.greatest_error; }); }},
-    PlanFigure{"rms_tracking_error_m", "flange's tracking error, rms (mm)", 1e-3, 3,
+    PlanFigure{"rms_tracking_error_m", "flange's tracking error, rms (um)", 1e-6, 3,
                [](const PlanRun& r) { return OfExecution(r, [](const auto& e) { return e.rms_error; }); }},
     PlanFigure{
         "velocity_share", "of a joint's velocity limit, at most (%)", 0.01, 1,

@@ -46,7 +46,8 @@ TEST_F(PlanMotionTest, OneSeed_TablePathsAndPictures) {
   }
   EXPECT_EQ(Count(File("new/out/runs.csv"), "\n1,1,"), 1);
   EXPECT_EQ(Count(File("new/out/comparison.csv"), "\n"), 6);
-  for (const char* name : {"path.png", "path_other_side.png"}) {
+  EXPECT_GE(Count(File("new/out/execution.csv"), "\n"), 240);  // A second at least, the hold in it.
+  for (const char* name : {"path.png", "path_other_side.png", "execution.png"}) {
     EXPECT_TRUE(File(std::string("new/out/") + name).starts_with("\x89PNG")) << name;
   }
 }
@@ -56,6 +57,7 @@ TEST_F(PlanMotionTest, SameSeed_SameFiles) {
   ASSERT_EQ(Run(arguments + Path("a")).status, 0);
   ASSERT_EQ(Run(arguments + Path("b")).status, 0);
   EXPECT_EQ(File("a/path_smoothed.csv"), File("b/path_smoothed.csv"));
+  EXPECT_EQ(File("a/execution.csv"), File("b/execution.csv"));
   EXPECT_NE(File("a/path_smoothed.csv"), "");
   EXPECT_FALSE(std::filesystem::exists(Path("a/path.png")));
 }
@@ -116,7 +118,7 @@ TEST_F(PlanMotionTest, Help_TeachesMethodFiguresAndFiles) {
   const Outcome outcome = Run("--help");
   EXPECT_EQ(outcome.status, 0);
   for (const char* part : {"RRT-Connect", "certificate", "Examples:", "Exit status", "path_smoothed.csv", "--compare",
-                           "growth distance", "--time-limit"}) {
+                           "growth distance", "--time-limit", "tracking error"}) {
     EXPECT_GE(Count(outcome.output, part), 1) << part;
   }
 }
