@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
-#include <utility>
 
 #include "motion/pair_checker.h"
 #include "motion/state_checker.h"
@@ -16,7 +14,8 @@
 namespace dgd_demos {
 namespace {
 
-constexpr int kPasses = 3;
+// States in turn: few enough that whatever else the machine does in a while slows down all checkers alike.
+constexpr std::size_t kStatesAtATime = 500;
 
 using Clock = std::chrono::steady_clock;
 double SecondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
@@ -28,82 +27,81 @@ double SignedDistanceOf(const CollisionModel& model, std::size_t pair, const Col
   return dgd::SignedDistance(set_1, poses[first], set_2, poses[second], growth).separation;
 }
 
-// The first collision of each state, by the core.
-using Collisions = std::vector<std::optional<std::size_t>>;
-
 using Shortcuts = StateChecker::Shortcuts;
+using StatePoses = std::vector<CollisionModel::Poses>;
 
-CheckTimes TimeCore(const CollisionModel& model, const std::string& name, Shortcuts shortcuts,
-                    const std::vector<CollisionModel::Poses>& poses, Collisions& collisions) {
-  CheckTimes times{name};
-  StateChecker checker(model, shortcuts);
-  collisions.clear();
-  for (const CollisionModel::Poses& state : poses) {
-    const Clock::time_point start = Clock::now();
-    const std::optional<std::size_t> collision = checker.FindCollision(state);
-    times.seconds += SecondsSince(start);
-    collisions.push_back(collision);
+// The core with some of its shortcuts.
+struct Core {
+  StateChecker checker;
+  CheckTimes times;
+  std::vector<std::optional<std::size_t>> collisions;  // The first of each state.
+
+  Core(const CollisionModel& model, Shortcuts shortcuts, const char* name) : checker(model, shortcuts), times{name} {}
+
+  void Check(const StatePoses& states) {
+    collisions.clear();
+    for (const CollisionModel::Poses& poses : states) {
+      const Clock::time_point start = Clock::now();
+      const std::optional<std::size_t> collision = checker.FindCollision(poses);
+      times.seconds += SecondsSince(start);
+      collisions.push_back(collision);
+    }
+    times.pairs = checker.counts().pairs;
   }
-  times.pairs = checker.counts().pairs;
-  return times;
-}
+};
 
-CheckTimes TimePeer(const CollisionModel& model, PairChecker& checker, const std::vector<CollisionModel::Poses>& poses,
-                    const Collisions& expected) {
-  CheckTimes times{checker.Name()};
+// Checks what the core has checked.
+void CheckByPeer(const CollisionModel& model, PairChecker& checker, const StatePoses& states, const Core& core,
+                 CheckTimes& times) {
   std::vector<char> collides(model.pairs().size());
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    checker.SetPoses(poses[i]);
-    const std::size_t pairs = expected[i] ? *expected[i] + 1 : model.pairs().size();
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    checker.SetPoses(states[i]);
+    const std::optional<std::size_t> expected = core.collisions[i];
+    const std::size_t pairs = expected ? *expected + 1 : model.pairs().size();
     const Clock::time_point start = Clock::now();
     for (std::size_t pair = 0; pair < pairs; ++pair) collides[pair] = checker.Collides(pair);
     times.seconds += SecondsSince(start);
     times.pairs += static_cast<std::int64_t>(pairs);
     for (std::size_t pair = 0; pair < pairs; ++pair) {
-      const bool core_collides = expected[i] == pair;
-      if ((collides[pair] != 0) == core_collides) continue;
+      if ((collides[pair] != 0) == (expected == pair)) continue;
       ++times.differing;
       // Written so that NaN is beyond the band.
-      if (!(std::abs(SignedDistanceOf(model, pair, poses[i])) <= kTouchingBand)) ++times.beyond_band;
+      if (!(std::abs(SignedDistanceOf(model, pair, states[i])) <= kTouchingBand)) ++times.beyond_band;
     }
   }
-  return times;
-}
-
-// The fastest of some passes; what is counted is the same in each.
-template <class Pass>
-CheckTimes Fastest(const Pass& pass) {
-  CheckTimes fastest = pass();
-  for (int i = 1; i < kPasses; ++i) fastest.seconds = std::min(fastest.seconds, pass().seconds);
-  return fastest;
 }
 
 }  // namespace
 
 std::vector<CheckTimes> CompareChecks(const CollisionModel& model, const std::vector<Configuration>& states,
                                       const Progress& progress) {
-  std::vector<CollisionModel::Poses> poses(states.size());
-  for (std::size_t i = 0; i < states.size(); ++i) model.ComputePoses(states[i], poses[i]);
-
-  Collisions collisions;
-  std::vector<CheckTimes> times;
-  for (const auto& [name, shortcuts] :
-       {std::pair("dgd::DetectCollision alone", Shortcuts::kNone), std::pair("dgd, cold", Shortcuts::kNearestPoints),
-        std::pair("dgd, cached planes", Shortcuts::kCachedPlanes)}) {
-    Collisions found;
-    times.push_back(Fastest([&] { return TimeCore(model, name, shortcuts, poses, found); }));
-    if (times.size() == 1) collisions = found;
-    for (std::size_t i = 0; i < states.size(); ++i) times.back().differing += found[i] != collisions[i];
-    times.back().beyond_band = times.back().differing;  // A plane that separates is a proof.
-  }
-
+  std::vector<Core> cores;
+  cores.emplace_back(model, Shortcuts::kNone, "dgd::DetectCollision alone");
+  cores.emplace_back(model, Shortcuts::kNearestPoints, "dgd, cold");
+  cores.emplace_back(model, Shortcuts::kCachedPlanes, "dgd, cached planes");
   const std::unique_ptr<PairChecker> peers[] = {MakeFclChecker(model), MakeBulletChecker(model)};
-  double share = 0.1;
-  for (const std::unique_ptr<PairChecker>& peer : peers) {
-    if (progress) progress(share);
-    times.push_back(Fastest([&] { return TimePeer(model, *peer, poses, collisions); }));
-    share += 0.45;
+  std::vector<CheckTimes> peer_times;
+  for (const std::unique_ptr<PairChecker>& peer : peers) peer_times.push_back({peer->Name()});
+
+  for (std::size_t begin = 0; begin < states.size(); begin += kStatesAtATime) {
+    if (progress) progress(static_cast<double>(begin) / static_cast<double>(states.size()));
+    StatePoses poses(std::min(kStatesAtATime, states.size() - begin));
+    for (std::size_t i = 0; i < poses.size(); ++i) model.ComputePoses(states[begin + i], poses[i]);
+    for (Core& core : cores) {
+      core.Check(poses);
+      // No plane separates what overlaps, so there is no band for these.
+      for (std::size_t i = 0; i < poses.size(); ++i) {
+        core.times.differing += core.collisions[i] != cores[0].collisions[i];
+      }
+      core.times.beyond_band = core.times.differing;
+    }
+    for (std::size_t i = 0; i < peer_times.size(); ++i) {
+      CheckByPeer(model, *peers[i], poses, cores[0], peer_times[i]);
+    }
   }
+  std::vector<CheckTimes> times;
+  for (const Core& core : cores) times.push_back(core.times);
+  times.insert(times.end(), peer_times.begin(), peer_times.end());
   return times;
 }
 

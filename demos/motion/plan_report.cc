@@ -152,7 +152,7 @@ std::string FormatComparison(const std::vector<CheckTimes>& times) {
                              std::to_string(row.differing), std::to_string(row.beyond_band)});
   }
   std::array<char, 128> note;
-  std::snprintf(note.data(), note.size(), "%lld pairs; band around touching: %g m; fastest of 3 passes\n",
+  std::snprintf(note.data(), note.size(), "%lld pairs; band around touching: %g m\n",
                 static_cast<long long>(times[0].pairs), kTouchingBand);
   return table + note.data();
 }

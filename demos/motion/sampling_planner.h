@@ -33,9 +33,6 @@ class SamplingPlanner {
   /// Share of the state space's extent, the diagonal of the problem's box, from one checked state of a motion
   /// to the next.
   static constexpr double kResolution = 0.001;
-  /// Length of a branch of the tree at most, rad. OMPL's own choice, a fifth of the extent, leads to detours.
-  static constexpr double kRange = 1;
-
   /// @param problem  Start and goal must be valid. is_valid is called by the members below only.
   SamplingPlanner(PlannerKind kind, const PlanningProblem& problem, std::uint64_t seed);
   ~SamplingPlanner();
