@@ -58,7 +58,7 @@ std::string CollisionModel::NameOf(const CheckedPair& pair) const {
 }
 
 void CollisionModel::ComputePoses(const Configuration& configuration, Poses& poses) const {
-  thread_local std::vector<Pose> link_poses;
+  thread_local std::vector<Pose> link_poses;  // Kept, so that a check in a planner's loop allocates nothing.
   ComputeLinkPoses(arm_, configuration, link_poses);
   const bool is_first_call = poses.size() != parts_.size();
   poses.resize(parts_.size());
