@@ -60,9 +60,13 @@ class Boundary {
 
   /// @param side  1 for set 1, -1 for set 2, which the normal points into.
   Boundary(const Set& set, const PoseOf<Set>& pose, const Point& normal, const Tangents& tangents, S side)
-      : set_(set), rotation_(pose.rotation), outwards_(side * normal), tangents_(tangents), side_(side) {
-    local_center_ = set.core.Center();
-    center_ = rotation_ * local_center_;
+      : set_(set),
+        rotation_(pose.rotation),
+        outwards_(side * normal),
+        tangents_(tangents),
+        side_(side),
+        local_center_(set.core.Center()),
+        center_(rotation_ * local_center_) {
     height_ = outwards_.dot(CoreSupport(outwards_)) + set.radius;
   }
 
@@ -118,7 +122,7 @@ class Boundary {
   const Point outwards_;
   const Tangents tangents_;
   const S side_;
-  Point local_center_, center_;
+  const Point local_center_, center_;
   S height_ = 0, reach_ = 0;
 };
 
