@@ -95,9 +95,13 @@ void WriteExecution(const PlanRun& run, const CollisionModel& model, bool draws,
   const std::vector<ExecutionStep>& steps = run.execution->steps;
   WriteExecutionCsv(folder / "execution.csv", model.arm(), steps);
   if (!draws || steps.empty()) return;
-  JointPath states;
-  std::vector<double> times;
-  for (const ExecutionStep& step : steps) {
+  // As many as a trace needs, from the first to the last: each piece of it is a body to draw.
+  constexpr std::size_t kMostStates = 100;
+  const std::size_t last = steps.size() - 1, parts = std::min(last, kMostStates);
+  JointPath states = {steps.front().angles};
+  std::vector<double> times = {steps.front().time};
+  for (std::size_t i = 1; i <= parts; ++i) {
+    const ExecutionStep& step = steps[last * i / parts];
     states.push_back(step.angles);
     times.push_back(step.time);
   }

@@ -59,12 +59,12 @@ Shape ReadShape(const JsonReader& object, const std::filesystem::path& folder, s
     allow("radius", "height");
     return Cone{size("radius"), size("height")};
   }
-  if (type == "mesh") {
-    allow("file", "scale");
-    return ReadMesh(object, folder);
+  if (type != "mesh") {
+    object.At("type").Fail("must be " + other_types + "sphere, capsule, box, cylinder, cone or mesh, not \"" + type +
+                           "\"");
   }
-  object.At("type").Fail("must be " + other_types + "sphere, capsule, box, cylinder, cone or mesh, not \"" + type +
-                         "\"");
+  allow("file", "scale");
+  return ReadMesh(object, folder);
 }
 
 Pose ReadPose(const JsonReader& object) {
