@@ -17,7 +17,15 @@ CLI::Validator Silent(Check check) {
 
 template <class Number>
 CLI::Validator Within(const Limits<Number>& limits) {
-  return Silent(CLI::Range(limits.least, limits.most));
+  // CLI's range has NaN in it.
+  const CLI::Validator is_number(
+      [](std::string& text) {
+        Number value{};
+        const bool is_one = CLI::detail::lexical_cast(text, value) && value == value;
+        return is_one ? std::string() : "Value " + text + " is no number";
+      },
+      "");
+  return Silent(CLI::Range(limits.least, limits.most) & is_number);
 }
 
 }  // namespace

@@ -48,6 +48,13 @@ class ProgressDisplay {
   std::optional<ProgressBar> bar_;
 };
 
+template <class... Values>
+std::string Sentence(const char* format, Values... values) {
+  char text[512];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
 void WritePaths(const PlanRun& run, const CollisionModel& model, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   // Whatever an earlier run has left is not of this one.
@@ -81,6 +88,36 @@ void WriteComparison(const std::vector<CheckTimes>& times, const std::filesystem
   csv.Flush();
 }
 
+// Why an execution is none of the path, in a sentence; nothing if it is.
+std::optional<std::string> FindExecutionFailure(const Arm& arm, const PlanRun& run) {
+  constexpr double kMostError = 0.01;    // Of the flange, m.
+  constexpr double kBeyondLimit = 1e-3;  // rad
+  const ExecutionResult& execution = *run.execution;
+  const auto seed = static_cast<unsigned long long>(run.seed);
+  if (!execution.contacts.empty()) {
+    const ExecutionContact& contact = execution.contacts.front();
+    return Sentence("seed %llu: in the execution, %s and %s touch after %.2f s", seed, contact.first.c_str(),
+                    contact.second.c_str(), contact.begin);
+  }
+  if (!(execution.greatest_error <= kMostError)) {
+    return Sentence(
+        "seed %llu: in the execution, the flange is %.4g m off its path after %.2f s; the joint %s takes %.0f %% of "
+        "its effort",
+        seed, execution.greatest_error, execution.greatest_error_time, execution.greatest_effort_joint.c_str(),
+        100 * execution.greatest_effort_share);
+  }
+  for (const ExecutionStep& step : execution.steps) {
+    for (std::size_t i = 0; i < arm.joints.size(); ++i) {
+      const Joint& joint = arm.joints[i];
+      const double angle = step.angles[static_cast<Eigen::Index>(i)];
+      if (angle >= joint.lower - kBeyondLimit && angle <= joint.upper + kBeyondLimit) continue;
+      return Sentence("seed %llu: in the execution, the joint %s is at %.4g rad after %.2f s, beyond its limits", seed,
+                      joint.name.c_str(), angle, step.time);
+    }
+  }
+  return std::nullopt;
+}
+
 // Carries out the smoothed path in a world on the plugin.
 void Execute(const MotionScene& scene, const CollisionModel& model, ProgressDisplay& display, PlanRun& run) {
   // Corners are cut by as much of the clearance as leaves half of it, for points at most a metre from the axes.
@@ -88,7 +125,15 @@ void Execute(const MotionScene& scene, const CollisionModel& model, ProgressDisp
   const double joints = static_cast<double>(model.arm().joints.size());
   timing.max_deviation = std::min(timing.max_deviation, run.after.signed_distance.value / (2 * std::sqrt(joints)));
   const TimedPath path(model.arm(), run.smoothed, timing);
+  constexpr double kLongest = 600;  // s
+  if (path.Duration() > kLongest) {
+    run.failure =
+        Sentence("seed %llu: the path takes %.4g s at the joints' velocity limits; more than %g s are not simulated",
+                 static_cast<unsigned long long>(run.seed), path.Duration(), kLongest);
+    return;
+  }
   run.execution = ExecutePath(scene, path, {}, [&](double share) { display.Update("execution", share); });
+  if (!run.execution->failure) run.execution->failure = FindExecutionFailure(model.arm(), run);
 }
 
 void WriteExecution(const PlanRun& run, const CollisionModel& model, bool draws, const std::filesystem::path& folder) {
@@ -116,14 +161,15 @@ PlanRun PlanAndWrite(const MotionScene& scene, const CollisionModel& model, cons
   const std::filesystem::path folder =
       options.seeds == 1 ? options.out : options.out / ("seed_" + std::to_string(seed));
   WritePaths(run, model, folder);
-  if (!run.failure) Execute(scene, model, display, run);
+  const bool has_plan = !run.failure;
+  if (has_plan) Execute(scene, model, display, run);
   csv.Write(run);
-  if (run.failure) return run;
+  if (!has_plan) return run;
   if (options.draws) {
     display.Update("pictures", 0);
     WritePictures(run, model, folder);
   }
-  WriteExecution(run, model, options.draws, folder);
+  if (run.execution) WriteExecution(run, model, options.draws, folder);
   return run;
 }
 

@@ -27,6 +27,11 @@ constexpr Range kAxis = {-1, 1};
 std::string ReadName(const JsonReader& object, std::set<std::string>& names) {
   const JsonReader name = object.At("name");
   if (!names.insert(name.Text()).second) name.Fail("is the name of an earlier one, too: " + name.Dump());
+  // Names head the columns of CSV files, and stand in sentences.
+  const auto is_special = [](char letter) { return letter == ',' || letter == '"' || (letter >= 0 && letter < ' '); };
+  if (std::ranges::any_of(name.Text(), is_special)) {
+    name.Fail("must have no comma, quotation mark or control character: " + name.Dump());
+  }
   return name.Text();
 }
 

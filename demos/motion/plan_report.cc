@@ -125,6 +125,7 @@ std::string FormatRuns(const std::vector<PlanRun>& runs) {
 }
 
 std::string FormatPlaces(const CollisionModel& model, const PlanRun& run) {
+  if (model.pairs().empty()) return "no pair of bodies can meet: nothing was checked\n";
   return "clearance before: " + Place(model, run.before.signed_distance) +
          "\nclearance after: " + Place(model, run.after.signed_distance) +
          "\nleast growth distance before: " + Place(model, run.before.growth_distance) +

@@ -94,6 +94,22 @@ TEST_F(PlanMotionTest, StartInCollision_Status1AndThePairIsNamed) {
   EXPECT_EQ(outcome.output, scene + ": the start is in collision: lower and post overlap\n");
 }
 
+TEST_F(PlanMotionTest, TooWeakOrTooSlowMotors_Status1AndASentence) {
+  const std::string weak =
+      Scene(R"("max_velocity": 1, "max_effort": 10 })", R"("max_velocity": 1, "max_effort": 1e-3 })");
+  const Outcome off = Run("--scene " + weak + " --no-picture --time-limit 60 --out " + Path("weak"));
+  EXPECT_EQ(off.status, 1) << off.output;
+  EXPECT_EQ(Count(off.output, "seed 1: in the execution, "), 1) << off.output;
+  EXPECT_GE(Count(File("weak/execution.csv"), "\n"), 240);
+  EXPECT_GE(Count(File("weak/path_smoothed.csv"), "\n"), 3);
+
+  const std::string slow = Scene(R"("max_velocity": 1, )", R"("max_velocity": 1e-6, )");
+  const Outcome endless = Run("--scene " + slow + " --no-picture --time-limit 60 --out " + Path("slow"));
+  EXPECT_EQ(endless.status, 1) << endless.output;
+  EXPECT_EQ(Count(endless.output, "more than 600 s are not simulated"), 1) << endless.output;
+  EXPECT_GE(Count(File("slow/path_smoothed.csv"), "\n"), 3);
+}
+
 TEST_F(PlanMotionTest, BadInput_Status2AndASentence) {
   const std::string out = " --out " + Path("out");
   const Outcome limit = Run("--scene " + Scene(R"("shoulder": 1.5)", R"("shoulder": 3.5)") + out);
@@ -102,9 +118,13 @@ TEST_F(PlanMotionTest, BadInput_Status2AndASentence) {
   const Outcome joint = Run("--scene " + Scene(R"("elbow": 0.1 },)", R"("wrist": 0.1 },)") + out);
   EXPECT_EQ(joint.status, 2);
   EXPECT_EQ(Count(joint.output, "has no joint \"wrist\""), 1) << joint.output;
+  const Outcome name = Run("--scene " + Scene(R"("name": "upper")", R"("name": "up,per")") + out);
+  EXPECT_EQ(name.status, 2);
+  EXPECT_EQ(Count(name.output, "must have no comma"), 1) << name.output;
   for (const std::string& arguments :
        {std::string("--scene nowhere.json"), std::string("--planner prm"), std::string("--seeds 0"),
-        std::string("--time-limit 0"), std::string("--seed -1"), std::string("--no-such-option")}) {
+        std::string("--time-limit 0"), std::string("--time-limit nan"), std::string("--seed -1"),
+        std::string("--no-such-option")}) {
     const Outcome outcome = Run(arguments + out);
     EXPECT_EQ(outcome.status, 2) << arguments;
     EXPECT_NE(outcome.output, "") << arguments;

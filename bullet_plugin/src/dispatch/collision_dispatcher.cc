@@ -33,6 +33,14 @@ const btCollisionObject& ObjectOf(const btBroadphaseProxy& proxy) {
 }
 const btCollisionShape& ShapeOf(const btBroadphaseProxy& proxy) { return *ObjectOf(proxy).getCollisionShape(); }
 
+/// A manifold that has been made or given back. Not a member of what it is for: of an exported class's members, clang
+/// exports what the standard library makes.
+struct ManifoldChange {
+  std::size_t pair;  // Which did so.
+  btPersistentManifold* manifold;
+  bool is_new;
+};
+
 /// @return the configuration, if all that the dispatcher is made with is in order.
 btCollisionConfiguration* Checked(btCollisionConfiguration* configuration, const DispatcherOptions& options,
                                   int bullet_version) {
@@ -76,13 +84,6 @@ class CollisionDispatcher::Pairs {
   void FreeCollisionAlgorithm(void* algorithm);
 
  private:
-  /// A manifold that has been made or given back.
-  struct ManifoldChange {
-    std::size_t pair;  // Which did so.
-    btPersistentManifold* manifold;
-    bool is_new;
-  };
-
   /// Sets a flag as long as this lives.
   class FlagScope {
    public:
@@ -249,7 +250,7 @@ CollisionDispatcher::CollisionDispatcher(btCollisionConfiguration* configuration
                                          int bullet_version)
     : btCollisionDispatcher(Checked(configuration, options, bullet_version)),
       default_near_callback_(getNearCallback()) {
-  pairs_ = std::make_unique<Pairs>(*this, options.threads);
+  pairs_.reset(new Pairs(*this, options.threads));
 }
 
 CollisionDispatcher::~CollisionDispatcher() = default;
