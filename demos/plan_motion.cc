@@ -1,6 +1,5 @@
 // plan_motion: the motion of an arm between obstacles, planned, proven free, and smoothed. See --help.
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -11,24 +10,23 @@
 #include "motion/collision_model.h"
 #include "motion/motion_scene.h"
 #include "motion/path_picture.h"
+#include "motion/plan_execution.h"
 #include "motion/plan_report.h"
 #include "motion/plan_run.h"
-#include "motion/timed_path.h"
 #include "plan_motion_options.h"
 #include "program_main.h"
 #include "render/png_file.h"
 #include "report/csv_file.h"
 #include "report/execution_csv.h"
 #include "report/progress_bar.h"
-#include "simulation/execution.h"
 
 namespace dgd_demos {
 namespace {
 
-// The first so many states of each run: as many as an hour's comparison does not need.
+// Of each run, the first so many: they bound the memory and the time of a search that goes on to its limit.
 constexpr std::size_t kMostComparedStates = 20'000;
 
-// From where all that is behind something in one picture is before it in the other, rad.
+// Between the two views of a path, rad: what an obstacle hides in one is seen in the other.
 constexpr double kOtherSide = 1.5;
 
 // One bar for each kind of work, which wipes that of the work before.
@@ -47,13 +45,6 @@ class ProgressDisplay {
   std::string prefix_, work_;
   std::optional<ProgressBar> bar_;
 };
-
-template <class... Values>
-std::string Sentence(const char* format, Values... values) {
-  char text[512];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
 
 void WritePaths(const PlanRun& run, const CollisionModel& model, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
@@ -88,59 +79,11 @@ void WriteComparison(const std::vector<CheckTimes>& times, const std::filesystem
   csv.Flush();
 }
 
-// Why an execution is none of the path, in a sentence; nothing if it is.
-std::optional<std::string> FindExecutionFailure(const Arm& arm, const PlanRun& run) {
-  constexpr double kMostError = 0.01;    // Of the flange, m.
-  constexpr double kBeyondLimit = 1e-3;  // rad
-  const ExecutionResult& execution = *run.execution;
-  const auto seed = static_cast<unsigned long long>(run.seed);
-  if (!execution.contacts.empty()) {
-    const ExecutionContact& contact = execution.contacts.front();
-    return Sentence("seed %llu: in the execution, %s and %s touch after %.2f s", seed, contact.first.c_str(),
-                    contact.second.c_str(), contact.begin);
-  }
-  if (!(execution.greatest_error <= kMostError)) {
-    return Sentence(
-        "seed %llu: in the execution, the flange is %.4g m off its path after %.2f s; the joint %s takes %.0f %% of "
-        "its effort",
-        seed, execution.greatest_error, execution.greatest_error_time, execution.greatest_effort_joint.c_str(),
-        100 * execution.greatest_effort_share);
-  }
-  for (const ExecutionStep& step : execution.steps) {
-    for (std::size_t i = 0; i < arm.joints.size(); ++i) {
-      const Joint& joint = arm.joints[i];
-      const double angle = step.angles[static_cast<Eigen::Index>(i)];
-      if (angle >= joint.lower - kBeyondLimit && angle <= joint.upper + kBeyondLimit) continue;
-      return Sentence("seed %llu: in the execution, the joint %s is at %.4g rad after %.2f s, beyond its limits", seed,
-                      joint.name.c_str(), angle, step.time);
-    }
-  }
-  return std::nullopt;
-}
-
-// Carries out the smoothed path in a world on the plugin.
-void Execute(const MotionScene& scene, const CollisionModel& model, ProgressDisplay& display, PlanRun& run) {
-  // Corners are cut by as much of the clearance as leaves half of it, for points at most a metre from the axes.
-  TimingOptions timing;
-  const double joints = static_cast<double>(model.arm().joints.size());
-  timing.max_deviation = std::min(timing.max_deviation, run.after.signed_distance.value / (2 * std::sqrt(joints)));
-  const TimedPath path(model.arm(), run.smoothed, timing);
-  constexpr double kLongest = 600;  // s
-  if (path.Duration() > kLongest) {
-    run.failure =
-        Sentence("seed %llu: the path takes %.4g s at the joints' velocity limits; more than %g s are not simulated",
-                 static_cast<unsigned long long>(run.seed), path.Duration(), kLongest);
-    return;
-  }
-  run.execution = ExecutePath(scene, path, {}, [&](double share) { display.Update("execution", share); });
-  if (!run.execution->failure) run.execution->failure = FindExecutionFailure(model.arm(), run);
-}
-
 void WriteExecution(const PlanRun& run, const CollisionModel& model, bool draws, const std::filesystem::path& folder) {
   const std::vector<ExecutionStep>& steps = run.execution->steps;
   WriteExecutionCsv(folder / "execution.csv", model.arm(), steps);
   if (!draws || steps.empty()) return;
-  // As many as a trace needs, from the first to the last: each piece of it is a body to draw.
+  // As many as a smooth trace needs, from the first to the last: each piece of it is a body to draw.
   constexpr std::size_t kMostStates = 100;
   const std::size_t last = steps.size() - 1, parts = std::min(last, kMostStates);
   JointPath states = {steps.front().angles};
@@ -161,10 +104,9 @@ PlanRun PlanAndWrite(const MotionScene& scene, const CollisionModel& model, cons
   const std::filesystem::path folder =
       options.seeds == 1 ? options.out : options.out / ("seed_" + std::to_string(seed));
   WritePaths(run, model, folder);
-  const bool has_plan = !run.failure;
-  if (has_plan) Execute(scene, model, display, run);
+  if (!run.failure) ExecutePlan(scene, run, [&](double share) { display.Update("execution", share); });
   csv.Write(run);
-  if (!has_plan) return run;
+  if (run.failure) return run;
   if (options.draws) {
     display.Update("pictures", 0);
     WritePictures(run, model, folder);
@@ -208,7 +150,7 @@ ExitStatus Run(const PlanMotionOptions& options) {
 
   ExitStatus status = kSuccess;
   for (const PlanRun& run : runs) {
-    const std::optional<std::string>& failure = run.execution ? run.execution->failure : run.failure;
+    const std::optional<std::string>& failure = run.failure ? run.failure : run.execution_failure;
     if (!failure) continue;
     std::fprintf(stderr, "%s\n", failure->c_str());
     status = kNoPath;

@@ -58,7 +58,8 @@ std::vector<Pose> LinkPoses(const Arm& arm, const Configuration& configuration);
 /// Pose of the flange in the world.
 Pose FlangePose(const Arm& arm, const Configuration& configuration);
 
-/// The first joint whose angle is outside its limits, or nothing. NaN is outside.
-std::optional<std::size_t> FindJointBeyondLimits(const Arm& arm, const Configuration& configuration);
+/// The first joint whose angle is outside its limits by more than `tolerance`, in rad, or nothing. NaN is outside.
+std::optional<std::size_t> FindJointBeyondLimits(const Arm& arm, const Configuration& configuration,
+                                                 double tolerance = 0);
 
 }  // namespace dgd_demos

@@ -23,8 +23,7 @@ double SecondsSince(Clock::time_point start) { return std::chrono::duration<doub
 double SignedDistanceOf(const CollisionModel& model, std::size_t pair, const CollisionModel::Poses& poses) {
   const auto [first, second] = model.pairs()[pair];
   const dgd::AnySet &set_1 = model.parts()[first].body.set(), &set_2 = model.parts()[second].body.set();
-  const dgd::Result<double> growth = dgd::GrowthDistance(set_1, poses[first], set_2, poses[second]);
-  return dgd::SignedDistance(set_1, poses[first], set_2, poses[second], growth).separation;
+  return dgd::SignedDistance(set_1, poses[first], set_2, poses[second]).separation;
 }
 
 using Shortcuts = StateChecker::Shortcuts;

@@ -1,26 +1,15 @@
 #include "motion/collision_model.h"
 
-#include <algorithm>
+#include "motion/checked_pairs.h"
 
 namespace dgd_demos {
 namespace {
 
-Pose Compose(const Pose& parent, const Pose& child) {
-  return {parent.rotation * child.rotation, parent * child.position};
-}
-
-// Whether the file excludes the pair, or the two links are one, or neighbours, which touch where they are joined.
-bool IsChecked(const SceneArm& scene_arm, const CollisionModel::Part& first, const CollisionModel::Part& second) {
+/// Each pair of links once, the outer one first.
+bool IsChecked(const SceneArm& arm, const CollisionModel::Part& first, const CollisionModel::Part& second) {
   if (!first.link) return false;
-  if (second.link) {
-    if (*first.link < *second.link + 2) return false;  // Each pair once, the outer link first.
-  } else if (*first.link == 0) {
-    return false;  // The base does not move.
-  }
-  const std::string &a = first.body.name(), &b = second.body.name();
-  return std::ranges::none_of(scene_arm.unchecked, [&](const auto& names) {
-    return (names.first == a && names.second == b) || (names.first == b && names.second == a);
-  });
+  if (!second.link) return IsCheckedAgainst(arm, *first.link, second.body.name());
+  return *first.link > *second.link && AreLinksChecked(arm, *first.link, *second.link);
 }
 
 }  // namespace
@@ -31,18 +20,9 @@ CollisionModel::CollisionModel(const MotionScene& scene) : arm_(scene.PlannedArm
       parts_.push_back({ConvexBody(arm_.links[link].name, shape.shape), link, shape.pose});
     }
   }
-  for (const Obstacle& obstacle : scene.obstacles) {
-    parts_.push_back({ConvexBody(obstacle.name, obstacle.shape), std::nullopt, obstacle.pose});
-  }
-  for (std::size_t i = 0; i < scene.arms.size(); ++i) {
-    if (i == scene.planned_arm) continue;
-    const Arm& other = scene.arms[i].arm;
-    const std::vector<Pose> link_poses = LinkPoses(other, scene.arms[i].rest);
-    for (std::size_t link = 0; link < other.links.size(); ++link) {
-      const std::string name = other.name + "'s " + other.links[link].name;
-      for (const LinkShape& shape : other.links[link].shapes) {
-        parts_.push_back({ConvexBody(name, shape.shape), std::nullopt, Compose(link_poses[link], shape.pose)});
-      }
+  for (const FixedBody& fixed : FixedBodiesOf(scene)) {
+    for (const LinkShape& shape : fixed.shapes) {
+      parts_.push_back({ConvexBody(fixed.name, shape.shape), std::nullopt, fixed.pose * shape.pose});
     }
   }
   const SceneArm& planned = scene.arms[scene.planned_arm];
@@ -65,7 +45,7 @@ void CollisionModel::ComputePoses(const Configuration& configuration, Poses& pos
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const Part& part = parts_[i];
     if (part.link) {
-      poses[i] = ToDgd(Compose(link_poses[*part.link], part.pose));
+      poses[i] = ToDgd(link_poses[*part.link] * part.pose);
     } else if (is_first_call) {
       poses[i] = ToDgd(part.pose);
     } else {

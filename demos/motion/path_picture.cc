@@ -67,7 +67,7 @@ bool IsSamePlace(const dgd::Pose<double>& a, const dgd::Pose<double>& b) {
 
 // @param drawn  In and out: the poses of all arms that are drawn already.
 void AddArm(const CollisionModel& model, const Configuration& state, const Vector3d& colour, Drawing& drawing,
-            std::vector<Ball>& frame, std::vector<CollisionModel::Poses>& drawn) {
+            std::vector<CollisionModel::Poses>& drawn) {
   CollisionModel::Poses poses;
   model.ComputePoses(state, poses);
   drawn.push_back(poses);
@@ -76,7 +76,6 @@ void AddArm(const CollisionModel& model, const Configuration& state, const Vecto
     if (std::any_of(drawn.begin(), drawn.end() - 1, is_here)) continue;
     const Pose pose{poses[i].rotation, poses[i].translation};
     drawing.Add(model.parts()[i].body.shape(), pose, colour);
-    frame.push_back({pose.position, BoundingRadius(model.parts()[i].body.shape(), 0)});
   }
 }
 
@@ -124,11 +123,13 @@ void AddSurroundings(const CollisionModel& model, Drawing& drawing, std::vector<
 }
 
 // What the arm takes up along a path, so that all pictures of a motion are seen from the same place.
-void FrameArm(const CollisionModel& model, const JointPath& path, std::vector<Ball>& frame) {
-  Drawing unused{Eigen::Matrix3d::Identity(), {}, {}, {}};
-  for (int i = 0; i <= kPosesBetween; ++i) {
-    std::vector<CollisionModel::Poses> drawn;
-    AddArm(model, At(path, double(i) / kPosesBetween), kBetweenColour, unused, frame, drawn);
+void AddArmToFrame(const CollisionModel& model, const JointPath& path, std::vector<Ball>& frame) {
+  CollisionModel::Poses poses;
+  for (int place = 0; place <= kPosesBetween + 1; ++place) {
+    model.ComputePoses(At(path, place / (kPosesBetween + 1.0)), poses);
+    for (std::size_t i = 0; i < poses.size() && model.parts()[i].link; ++i) {
+      frame.push_back({poses[i].translation, BoundingRadius(model.parts()[i].body.shape(), 0)});
+    }
   }
 }
 
@@ -138,8 +139,8 @@ Image DrawMoment(const ExecutionPicture& picture, std::size_t step) {
   std::vector<Ball> frame;
   std::vector<CollisionModel::Poses> drawn;
   AddSurroundings(model, drawing, frame);
-  FrameArm(model, picture.planned, frame);
-  AddArm(model, picture.states[step], kBetweenColour, drawing, frame, drawn);
+  AddArmToFrame(model, picture.planned, frame);
+  AddArm(model, picture.states[step], kBetweenColour, drawing, drawn);
   AddTrace(model, picture.planned, kBeforeRadius, kBeforeColour, drawing);
   const JointPath until(picture.states.begin(), picture.states.begin() + static_cast<std::ptrdiff_t>(step) + 1);
   AddTrace(model, until, kTraceRadius, kTraceColour, drawing);
@@ -155,15 +156,15 @@ Image DrawMoment(const ExecutionPicture& picture, std::size_t step) {
 
 Image Draw(const PathPicture& picture) {
   const CollisionModel& model = picture.model;
-  Drawing drawing;
-  drawing.turn = TurnAboutVertical(picture.turn);
+  Drawing drawing{TurnAboutVertical(picture.turn), {}, {}, {}};
   std::vector<Ball> frame;
   std::vector<CollisionModel::Poses> drawn;
   AddSurroundings(model, drawing, frame);
-  AddArm(model, picture.path.front(), kStartColour, drawing, frame, drawn);
-  AddArm(model, picture.path.back(), kGoalColour, drawing, frame, drawn);
+  AddArmToFrame(model, picture.path, frame);
+  AddArm(model, picture.path.front(), kStartColour, drawing, drawn);
+  AddArm(model, picture.path.back(), kGoalColour, drawing, drawn);
   for (int i = 1; i <= kPosesBetween; ++i) {
-    AddArm(model, At(picture.path, i / (kPosesBetween + 1.0)), kBetweenColour, drawing, frame, drawn);
+    AddArm(model, At(picture.path, i / (kPosesBetween + 1.0)), kBetweenColour, drawing, drawn);
   }
   AddTrace(model, picture.before, kBeforeRadius, kBeforeColour, drawing);
   AddTrace(model, picture.path, kTraceRadius, kTraceColour, drawing);

@@ -37,12 +37,13 @@ struct PlanRun {
   double check_time = 0;              ///< Of these checks, with the kinematics, s.
   std::int64_t rechecked_states = 0;  ///< Of the path that is returned; each pair has a certificate in each.
 
-  JointPath found;                           ///< By the search; if that failed, as far as it came.
-  JointPath simplified;                      ///< Certified, if there is a plan.
-  JointPath smoothed;                        ///< Certified; the simplified one if smoothing gained nothing.
-  Clearance before, after;                   ///< Of the simplified and the smoothed path.
-  std::optional<ExecutionResult> execution;  ///< Of the smoothed path, by whoever has it carried out.
-  std::vector<Configuration> visited;        ///< States checked by search and simplification, in their order.
+  JointPath found;                               ///< By the search; if that failed, as far as it came.
+  JointPath simplified;                          ///< Certified, if there is a plan.
+  JointPath smoothed;                            ///< Certified; the simplified one if smoothing gained nothing.
+  Clearance before, after;                       ///< Of the simplified and the smoothed path.
+  std::optional<ExecutionResult> execution;      ///< Of the smoothed path; see ExecutePlan().
+  std::optional<std::string> execution_failure;  ///< Why the arm does not follow that, in a sentence.
+  std::vector<Configuration> visited;            ///< States checked by search and simplification, in their order.
 };
 
 /// Called with what is being done, and the share of it that is done.

@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 
+#include "motion/checked_pairs.h"
 #include "simulation/bullet_math.h"
 #include "simulation/bullet_shape.h"
 #include "simulation/narrowphase.h"
@@ -20,50 +21,16 @@ constexpr double kMargin = 0;
 // all and Bullet's forward dynamics divide by zero. m
 constexpr double kBallRadius = 0.05;
 
-Pose Compose(const Pose& parent, const Pose& child) {
-  return {parent.rotation * child.rotation, parent * child.position};
-}
-
-struct FixedBody {
-  std::string name;
-  std::vector<LinkShape> shapes;
-  Pose pose;
-};
-
-// Obstacles, and the links of all arms but the planned one. Their user indices follow those of the planned arm's links.
-std::vector<FixedBody> FixedBodiesOf(const MotionScene& scene) {
-  std::vector<FixedBody> bodies;
-  for (const Obstacle& obstacle : scene.obstacles) {
-    bodies.push_back({obstacle.name, {{obstacle.shape, Pose()}}, obstacle.pose});
-  }
-  for (std::size_t i = 0; i < scene.arms.size(); ++i) {
-    if (i == scene.planned_arm) continue;
-    const Arm& arm = scene.arms[i].arm;
-    const std::vector<Pose> poses = LinkPoses(arm, scene.arms[i].rest);
-    for (std::size_t link = 0; link < arm.links.size(); ++link) {
-      bodies.push_back({arm.name + "'s " + arm.links[link].name, arm.links[link].shapes, poses[link]});
-    }
-  }
-  return bodies;
-}
-
+// Which bodies collide, by their user indices: links first, then fixed bodies.
 std::vector<std::vector<bool>> CheckedPairs(const MotionScene& scene) {
-  std::vector<std::string> names;
-  for (const Link& link : scene.PlannedArm().links) names.push_back(link.name);
-  const std::size_t links = names.size();
-  for (const FixedBody& body : FixedBodiesOf(scene)) names.push_back(body.name);
-
-  const auto& unchecked = scene.arms[scene.planned_arm].unchecked;
-  const auto is_unchecked = [&](const std::string& a, const std::string& b) {
-    return std::ranges::find(unchecked, std::pair(a, b)) != unchecked.end() ||
-           std::ranges::find(unchecked, std::pair(b, a)) != unchecked.end();
-  };
-  std::vector checked(names.size(), std::vector<bool>(names.size(), false));
+  const SceneArm& arm = scene.arms[scene.planned_arm];
+  const std::vector<FixedBody> fixed_bodies = FixedBodiesOf(scene);
+  const std::size_t links = arm.arm.links.size(), bodies = links + fixed_bodies.size();
+  std::vector checked(bodies, std::vector<bool>(bodies, false));
   for (std::size_t i = 0; i < links; ++i) {
-    for (std::size_t j = i + 1; j < names.size(); ++j) {
-      const bool are_neighbours = j == i + 1 && j < links;
-      const bool are_fixed = i == 0 && j >= links;  // The base does not move either.
-      checked[i][j] = checked[j][i] = !are_neighbours && !are_fixed && !is_unchecked(names[i], names[j]);
+    for (std::size_t j = i + 1; j < bodies; ++j) {
+      checked[i][j] = checked[j][i] =
+          j < links ? AreLinksChecked(arm, i, j) : IsCheckedAgainst(arm, i, fixed_bodies[j - links].name);
     }
   }
   return checked;
@@ -236,7 +203,7 @@ std::vector<Pose> ArmWorld::LinkPosesNow() const {
   return poses;
 }
 
-Pose ArmWorld::FlangePoseNow() const { return Compose(LinkPosesNow().back(), arm_.flange); }
+Pose ArmWorld::FlangePoseNow() const { return LinkPosesNow().back() * arm_.flange; }
 
 std::vector<ArmWorld::Contact> ArmWorld::Contacts() const {
   std::map<std::pair<int, int>, Contact> pairs;

@@ -74,7 +74,6 @@ ExecutionResult ExecutePath(const MotionScene& scene, const TimedPath& path, con
   const Arm& arm = scene.PlannedArm();
   ArmWorld world(scene, path.Sample(0).angles, options);
   ExecutionResult result;
-  auto next_snapshot = options.snapshot_times.begin();
   const auto steps = static_cast<std::size_t>(std::ceil((path.Duration() + options.hold_time) * options.step_rate));
   for (std::size_t i = 0; i < steps; ++i) {
     const double begin = static_cast<double>(i) / options.step_rate;
@@ -92,9 +91,6 @@ ExecutionResult ExecutePath(const MotionScene& scene, const TimedPath& path, con
     result.steps.push_back({end, planned, angles, world.JointVelocities(), world.MotorEfforts(), flange, tracking_error,
                             static_cast<int>(world.Contacts().size())});
     AddContacts(world, begin, result.contacts);
-    for (; next_snapshot != options.snapshot_times.end() && *next_snapshot <= end; ++next_snapshot) {
-      result.snapshots.push_back({end, world.LinkPosesNow()});
-    }
     if (progress) progress(static_cast<double>(i + 1) / static_cast<double>(steps));
   }
   Summarise(arm, result);

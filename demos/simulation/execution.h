@@ -10,7 +10,6 @@
 #include "motion/arm.h"
 #include "motion/motion_scene.h"
 #include "motion/timed_path.h"
-#include "scene/pose.h"
 
 namespace dgd_demos {
 
@@ -23,7 +22,6 @@ struct ExecutionOptions {
   /// Of Bullet's solver in a step. Each joint's motor has to know what all others do, and learns it one iteration at a
   /// time, so that an arm needs more of them than Bullet's 10.
   int solver_iterations = 100;
-  std::vector<double> snapshot_times;  ///< For pictures, ascending, s. Each is taken at the end of the step it is in.
 };
 
 /// What is known at the end of a step.
@@ -47,12 +45,6 @@ struct ExecutionContact {
   double greatest_force;      ///< Along the normals, N.
 };
 
-/// The arm's links at one moment.
-struct ExecutionSnapshot {
-  double time;              ///< s
-  std::vector<Pose> links;  ///< In the world, base first, as LinkPoses() has them.
-};
-
 struct ExecutionResult {
   /// Why it ended before its time, in a sentence; nothing if it did not. What was found so far is kept.
   std::optional<std::string> failure;
@@ -69,14 +61,13 @@ struct ExecutionResult {
 
   std::vector<ExecutionStep> steps;
   std::vector<ExecutionContact> contacts;  ///< In the order in which they began.
-  std::vector<ExecutionSnapshot> snapshots;
 };
 
-/// What the tracking error tells: Bullet's joint motors are constraints of limited effort, solved together with the
+/// What the tracking error means: Bullet's joint motors are constraints of limited effort, solved together with the
 /// arm's dynamics, so that they know the effort that each step needs. As long as no joint needs more than it has and
 /// nothing is in the way, the error is of rounding, which no controller of a real arm achieves. A larger error means
 /// that the motion is not one for these joints, or that the arm was held up; how near it is to the former, the shares
-/// of effort and velocity tell.
+/// of effort and velocity say.
 ///
 /// Simulates the scene's planned arm, with gravity and joint motors of limited effort, along the path and through the
 /// hold after it. It starts at rest at the path's first configuration; obstacles and the other arms, at rest, are

@@ -16,11 +16,12 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-/// The sums leave out what has a power below 2^-70: far beyond the last digit. Nor is anything taken the logarithm of
-/// that is near the least of all numbers.
+/// A height whose power is below 2^-70 of the highest one's changes no digit of the sums, and is left out. Logarithms
+/// are of normal numbers, of 2^-900 or more.
 constexpr double kNegligible = 70, kLowest = 900;
 
-std::uint32_t WholePower(double power) {
+/// @return the power if it is a whole number, else 0.
+std::uint32_t WholeOrZero(double power) {
   const bool is_whole = power > 0 && power < std::numeric_limits<std::uint32_t>::max() && power == std::floor(power);
   return is_whole ? static_cast<std::uint32_t>(power) : 0;
 }
@@ -36,14 +37,15 @@ void OrderByPlace(Points::iterator begin, Points::iterator end) {
   Eigen::Index axis;
   (highest - lowest).maxCoeff(&axis);
   // Whole blocks on either side.
-  const auto blocks = (end - begin + 3) / 4;
-  const auto middle = begin + blocks / 2 * 4;
+  constexpr auto kLanes = static_cast<std::ptrdiff_t>(dsf_internal::kLanes);
+  const auto blocks = (end - begin + kLanes - 1) / kLanes;
+  const auto middle = begin + blocks / 2 * kLanes;
   std::nth_element(begin, middle, end, [axis](const auto& a, const auto& b) { return a[axis] < b[axis]; });
   OrderByPlace(begin, middle);
   OrderByPlace(middle, end);
 }
 
-/// The same by what every x86-64 has.
+/// The sums by the instructions that every x86-64 has.
 void SumBaseline(const double* offsets, std::size_t blocks, const double* direction, const dsf_internal::Powers& powers,
                  bool with_spread, dsf_internal::Sums& sums) {
   dsf_internal::Sum(offsets, blocks, direction, powers, with_spread, sums);
@@ -53,7 +55,7 @@ void SumBaseline(const double* offsets, std::size_t blocks, const double* direct
 
 DsfInDouble::DsfInDouble(const ConvexHull& hull, double exponent)
     : exponent_(exponent),
-      whole_power_(WholePower(exponent - 2)),
+      whole_power_(WholeOrZero(exponent - 2)),
       least_part_(std::exp2(std::max(-kNegligible / (exponent - 2), -kLowest))),
       origin_(hull.center),
       inradius_(InradiusOfRounded<double>(hull)) {
@@ -85,11 +87,10 @@ dsf_internal::Sums DsfInDouble::SumsAlong(const Eigen::Vector3d& direction, bool
   return sums;
 }
 
-/// The gradient of the p-norm of the heights and, if asked for, its Hessian. With m the highest height, r_j the others
-/// as parts of it and q = sum r_j^p, the support value is s = m q^(1/p), and the gradient
-/// g = q^(1/p - 1) sum r_j^(p-1) w_j. The Hessian is (p - 1) / (q s) sum r_j^(p-2) z_j z_j^T with
-/// z_j = q^(1/p) w_j - r_j g. Both are written by u_j = w_j - r_j w_0, w_0 the highest offset: near a vertex the sums
-/// of w_j would cancel.
+/// The gradient of the p-norm of the heights and, if `with_derivative`, its Hessian. With m the highest height, r_j the
+/// others as parts of it and q = sum r_j^p, the support value is s = m q^(1/p), and the gradient g = q^(1/p - 1) sum
+/// r_j^(p-1) w_j. The Hessian is (p - 1) / (q s) sum r_j^(p-2) z_j z_j^T with z_j = q^(1/p) w_j - r_j g. Both are
+/// written by u_j = w_j - r_j w_0, w_0 the highest offset: near a vertex the sums of w_j would cancel.
 CurvedPoint<double> DsfInDouble::Curve(const Eigen::Vector3d& direction, bool with_derivative) const {
   CurvedPoint<double> curved{origin_, Matrix3<double>::Constant(std::numeric_limits<double>::quiet_NaN())};
   const double length = direction.cwiseAbs().maxCoeff();
@@ -119,10 +120,11 @@ CurvedPoint<double> DsfInDouble::PieceSupport(FeatureId, const Eigen::Vector3d& 
 
 double DsfInDouble::SupportValue(const Eigen::Vector3d& direction) const {
   const double length = direction.cwiseAbs().maxCoeff();
-  if (!(length > 0)) return 0;
+  const double at_origin = direction.dot(origin_);  // NaN where the direction is.
+  if (!(length > 0)) return at_origin;
   const dsf_internal::Sums sums = SumsAlong(direction / length, false);
-  if (!(sums.highest > 0)) return direction.dot(origin_);
-  return length * sums.highest * std::pow(sums.powers, 1 / exponent_) + direction.dot(origin_);
+  if (!(sums.highest > 0)) return at_origin;
+  return length * sums.highest * std::pow(sums.powers, 1 / exponent_) + at_origin;
 }
 
 double DsfInDouble::Distance(const Eigen::Vector3d& point) const {

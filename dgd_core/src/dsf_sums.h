@@ -17,7 +17,7 @@ inline constexpr std::size_t kBlock = 3 * kLanes;
 struct Powers {
   double exponent;      ///< p > 2, finite.
   std::uint32_t whole;  ///< p - 2 if that is a whole number, else 0.
-  double least_part;    ///< A height that is less of the highest one counts for nothing.
+  double least_part;    ///< Heights below this part of the highest one are left out.
 };
 
 /// Of the heights of offsets w_j along a direction, as parts r_j of the highest one's, w_0: over those with r_j > 0, of
@@ -27,10 +27,11 @@ struct Sums {
   double top[3] = {};     ///< w_0.
   double powers = 0;      ///< Sum of r_j^p.
   double offset[3] = {};  ///< Sum of r_j^(p-1) u_j.
-  double spread[6] = {};  ///< Sum of r_j^(p-2) u_j u_j^T: xx, xy, xz, yy, yz, zz. Only if it is asked for.
+  double spread[6] = {};  ///< Sum of r_j^(p-2) u_j u_j^T: xx, xy, xz, yy, yz, zz; 0 without `with_spread`.
 };
 
 /// @param offsets      `blocks` of them; no alignment needed.
+/// @param direction    Three coordinates, the largest of which is 1 by its absolute value.
 /// Each operation is rounded, and all versions give the same bits.
 using SumKernel = void (*)(const double* offsets, std::size_t blocks, const double* direction, const Powers& powers,
                            bool with_spread, Sums& sums);
@@ -40,7 +41,7 @@ void SumAvx2(const double* offsets, std::size_t blocks, const double* direction,
 
 namespace {
 
-// Vectors wider than the processor's are the compiler's affair; they do not leave this file.
+// Vectors that are wider than the processor's are split by the compiler. They do not leave this file.
 using Lanes __attribute__((vector_size(8 * kLanes))) = double;
 using LaneBits __attribute__((vector_size(8 * kLanes))) = std::uint64_t;
 using LoadLanes __attribute__((vector_size(8 * kLanes), aligned(alignof(double)), may_alias)) = double;
@@ -65,7 +66,7 @@ inline Lanes Polynomial(const Coefficient (&c)[N], const Lanes& x) {
   }
 }
 
-/// Adding it leaves a whole number in a sum's last bits: AVX2 converts none.
+/// Adding it to a number leaves that, rounded, in the sum's last bits: AVX2 has no conversion to 64-bit integers.
 constexpr double kWhole = 0x1.8p52;
 
 /// Logarithm to base 2 of normal positive numbers: off by a last digit of it, or of 1.
@@ -92,7 +93,7 @@ inline Lanes Exp2(const Lanes& x) {
   return FromBits(BitsOf(Polynomial(kSeries, f)) + (BitsOf(rounded) << 52));
 }
 
-/// x^n for n > 0, by squares: half of the time of the others.
+/// x^n for n > 0, by squares: half of the time of an exponential of a logarithm.
 inline Lanes WholePower(Lanes x, std::uint32_t n) {
   Lanes power = Broadcast(1);
   for (;; x *= x) {

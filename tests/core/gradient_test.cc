@@ -327,7 +327,7 @@ TEST(Gradient, AnySet_HasThatOfItsShape) {
               dgd::SignedDistanceGradient(cylinder, pose_1, box, pose_2, distance));
 }
 
-// A ball above a bar that turns about its own origin, 2 m beside: its surface rises by 2 m per radian there.
+// A ball above a bar that turns about its own origin, 2 m from it: its surface rises by 2 m per radian there.
 TEST(SignedDistanceGradient, BallAboveABar_HasTheClosedForm) {
   const auto gradient = SignedGradientOf(BoxOf(5, 1, 1), PoseAt({0, 0, 0}), dgd::Sphere(0.5), PoseAt({2, 0.1, 4}));
   EXPECT_EQ(gradient.status, dgd::Status::kOptimal);

@@ -75,7 +75,7 @@ struct Gradient {
   Status status = Status::kInvalidInput;
   PoseGradient<S, L> pose_1, pose_2;
   /// Whether no other normal and no other contact point is optimal. True is certain within the tolerances of
-  /// gradient_internal; false says that another may be, or that the result is too inexact to tell.
+  /// gradient_internal; false says that another may be, or that the result is too inexact to decide.
   bool is_normal_unique = false;
   bool is_contact_unique = false;
 
@@ -94,7 +94,7 @@ AngularVector<S, 2> Cross(const Vector<S, 2>& arm, const Vector<S, 2>& force) {
   return AngularVector<S, 2>(arm.x() * force.y() - arm.y() * force.x());
 }
 
-/// Whether poses and a result are made of numbers, and the normal has unit length: support functions take no other.
+/// Whether poses and a result are finite, and the normal has unit length: support functions take no other.
 template <class S, int L>
 bool IsUsable(const Pose<S, L>& pose_1, const Pose<S, L>& pose_2, const Vector<S, L>& normal,
               const Vector<S, L>& witness_1, const Vector<S, L>& witness_2) {

@@ -32,17 +32,17 @@ struct Count {
 
 /// The signed distance from scratch, and whose face holds it.
 template <class S>
-struct Anew {
+struct FromScratch {
   dgd::SignedDistanceResult<S> result;
   dgd::WarmStart<S> state;
   ReferenceSide holder = ReferenceSide::kNone;
 };
 
 template <class Set1, class Set2>
-Anew<typename Set1::Scalar> MeasureAnew(const Set1& set_1, const dgd::PoseOf<Set1>& pose_1, const Set2& set_2,
-                                        const dgd::PoseOf<Set1>& pose_2) {
+FromScratch<typename Set1::Scalar> MeasureFromScratch(const Set1& set_1, const dgd::PoseOf<Set1>& pose_1,
+                                                      const Set2& set_2, const dgd::PoseOf<Set1>& pose_2) {
   using S = typename Set1::Scalar;
-  Anew<S> from_scratch;
+  FromScratch<S> from_scratch;
   const AnyPair<S, 3> pair(Erase(set_1), pose_1, Erase(set_2), pose_2);
   dgd::WarmStart<S> warm_start;
   dgd::Result<S> growth = pair.GrowthDistance({}, &warm_start);
@@ -75,13 +75,13 @@ void Shake(Random& random, const Set1& set_1, const Set2& set_2, Count& count) {
   dgd::Pose<double> pose_1{random.Rotation(), random.InCube()}, pose_2{random.Rotation(), pose_1.translation};
   const Vector3d up = random.UnitVector();
   const auto place = [&](double separation) {
-    const auto from_scratch = MeasureAnew(set_1, rounded(pose_1), set_2, rounded(pose_2));
+    const auto from_scratch = MeasureFromScratch(set_1, rounded(pose_1), set_2, rounded(pose_2));
     pose_2.translation +=
         (separation - double(from_scratch.result.separation)) * from_scratch.result.normal.template cast<double>();
   };
   pose_2.translation += 2 * up;
   for (int i = 0; i < 3; ++i) place(-0.5 * radius);
-  Anew<S> last = MeasureAnew(set_1, rounded(pose_1), set_2, rounded(pose_2));
+  FromScratch<S> last = MeasureFromScratch(set_1, rounded(pose_1), set_2, rounded(pose_2));
   ++count.contacts;
   count.on_face_1 += last.holder == ReferenceSide::kSet1 ? 1 : 0;
   count.on_face_2 += last.holder == ReferenceSide::kSet2 ? 1 : 0;
@@ -91,7 +91,7 @@ void Shake(Random& random, const Set1& set_1, const Set2& set_2, Count& count) {
     pose_2.rotation = Eigen::AngleAxisd(0.02, random.UnitVector()) * pose_2.rotation;
     pose_2.translation += 0.01 * random.InCube();
     const dgd::Pose<S> at_1 = rounded(pose_1), at_2 = rounded(pose_2);
-    const Anew<S> from_scratch = MeasureAnew(set_1, at_1, set_2, at_2);
+    const FromScratch<S> from_scratch = MeasureFromScratch(set_1, at_1, set_2, at_2);
     dgd::WarmStart<S> state = last.state;
     dgd::FacingFaces<S> facing;
     const auto followed = dgd::UpdateOnReferenceFace(set_1, at_1, set_2, at_2, settings, S(kAngularTolerance),

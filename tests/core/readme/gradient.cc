@@ -7,7 +7,7 @@
 #include "dgd/shapes.h"
 
 int main() {
-  // A link of 80 cm along z whose joint is at its lower end, and an obstacle beside its upper half. Metres.
+  // A link of 80 cm along z whose joint is at its lower end, and an obstacle next to its upper half. Metres.
   const dgd::RoundedSet link = dgd::Capsule(0.05, 0.35);
   const dgd::RoundedSet obstacle{dgd::Box<double>({0.2, 0.3, 0.1}), 0.01};
   const Eigen::Vector3d joint(0, 0, -0.35);

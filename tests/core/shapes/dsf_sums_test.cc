@@ -71,7 +71,7 @@ TEST(DsfSums, AreThoseOfThePowersInExtendedPrecision) {
 }
 
 TEST(DsfSums, AreTheSameBitsOnAllProcessors) {
-  if (!dgd::vertex_scan::HasAvx2()) GTEST_SKIP() << "no AVX2";
+  if (!dgd::vertex_scan::HasAvx2()) GTEST_SKIP() << "this processor has no AVX2: there is nothing to compare";
   Random random(TestSeed());
   for (const double exponent : {2.5, 12.0, 40.7}) {
     const Powers powers = PowersOf(exponent);

@@ -118,8 +118,8 @@ TEST(PortalRefinement, MeshesWhoseFacetsAreSmallerThanTheMotion_AreReachedByStep
 /// @param most_infeasible  Metres.
 /// @return the part of the queries that the refinement from the ball about the centre answers, as above.
 template <class Core>
-double ShareAnsweredAnew(int least_vertices, int most_vertices, const Vector3d& radii, double most_infeasible,
-                         double radius = 0) {
+double ShareSolvedCold(int least_vertices, int most_vertices, const Vector3d& radii, double most_infeasible,
+                       double radius = 0) {
   Random random(TestSeed());
   int answered = 0;
   const int asked = TestCount(400, 100);
@@ -146,13 +146,13 @@ double ShareAnsweredAnew(int least_vertices, int most_vertices, const Vector3d& 
 }
 
 TEST(PortalRefinement, HullsCold_AreSolvedByIt) {
-  EXPECT_GT(ShareAnsweredAnew<Hull>(8, 20, {0.5, 0.4, 0.3}, 1e-14), 0.95);
-  EXPECT_GT(ShareAnsweredAnew<dgd::Mesh<double>>(100, 1000, {0.5, 0.4, 0.3}, 1e-14), 0.95);
-  EXPECT_GT(ShareAnsweredAnew<Hull>(8, 20, {0.5, 0.4, 0.3}, 1e-14, 0.04), 0.9);
-  EXPECT_GT(ShareAnsweredAnew<Hull>(8, 20, {0.5, 0.4, 0.3}, 1e-14, 0.4), 0.6);
-  EXPECT_GT(ShareAnsweredAnew<dgd::Mesh<double>>(100, 1000, {0.5, 0.4, 0.3}, 1e-14, 0.04), 0.85);
+  EXPECT_GT(ShareSolvedCold<Hull>(8, 20, {0.5, 0.4, 0.3}, 1e-14), 0.95);
+  EXPECT_GT(ShareSolvedCold<dgd::Mesh<double>>(100, 1000, {0.5, 0.4, 0.3}, 1e-14), 0.95);
+  EXPECT_GT(ShareSolvedCold<Hull>(8, 20, {0.5, 0.4, 0.3}, 1e-14, 0.04), 0.9);
+  EXPECT_GT(ShareSolvedCold<Hull>(8, 20, {0.5, 0.4, 0.3}, 1e-14, 0.4), 0.6);
+  EXPECT_GT(ShareSolvedCold<dgd::Mesh<double>>(100, 1000, {0.5, 0.4, 0.3}, 1e-14, 0.04), 0.85);
   // Needles, whose growth distances, and the witness points' last digits with them, are large.
-  EXPECT_GT(ShareAnsweredAnew<Hull>(4, 8, {1, 0.05, 0.05}, 1e-13), 0.2);
+  EXPECT_GT(ShareSolvedCold<Hull>(4, 8, {1, 0.05, 0.05}, 1e-13), 0.2);
 }
 
 class PortalOfAPair : public testing::Test {

@@ -79,7 +79,7 @@ TEST(JointGradientTest, CentralDifferences_Agree) {
   for (int i = 0; i < 20; ++i) {
     const Configuration state = RandomState(model.arm(), random);
     for (const CheckedPair& pair : model.pairs()) {
-      CollisionModel::Poses poses, beside;
+      CollisionModel::Poses poses, poses_nearby;
       const dgd::Result<double> result = growth(state, pair, poses);
       const auto gradient =
           dgd::GrowthDistanceGradient(model.parts()[pair.first].body.set(), poses[pair.first],
@@ -89,16 +89,16 @@ TEST(JointGradientTest, CentralDifferences_Agree) {
       Configuration differences(6);
       for (Eigen::Index joint = 0; joint < 6; ++joint) {
         const Configuration offset = kStep * Configuration::Unit(6, joint);
-        differences[joint] = (growth(state + offset, pair, beside).GrowthDistance() -
-                              growth(state - offset, pair, beside).GrowthDistance()) /
+        differences[joint] = (growth(state + offset, pair, poses_nearby).GrowthDistance() -
+                              growth(state - offset, pair, poses_nearby).GrowthDistance()) /
                              (2 * kStep);
       }
       const double scale = std::max(1.0, by_joints.norm());
       // A kink within the step is no error of the gradient: where the derivatives to both sides differ.
-      const double curvature =
-          (growth(state + kStep * by_joints / scale, pair, beside).GrowthDistance() +
-           growth(state - kStep * by_joints / scale, pair, beside).GrowthDistance() - 2 * result.GrowthDistance()) /
-          kStep;
+      const double curvature = (growth(state + kStep * by_joints / scale, pair, poses_nearby).GrowthDistance() +
+                                growth(state - kStep * by_joints / scale, pair, poses_nearby).GrowthDistance() -
+                                2 * result.GrowthDistance()) /
+                               kStep;
       if (std::abs(curvature) > 1e-3) continue;
       EXPECT_LE((by_joints - differences).cwiseAbs().maxCoeff(), 1e-4 * scale) << model.NameOf(pair);
       ++compared;

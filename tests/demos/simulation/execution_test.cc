@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "simulation/arm_world.h"
 #include "simulation/narrowphase.h"
 
 namespace dgd_demos {
@@ -132,29 +133,24 @@ TEST(ExecutionTest, ArmAtRest_HoldsItsPoseWithTheMomentsOfItsWeights) {
 TEST(ExecutionTest, FlangeAndLinks_AreWhereKinematicsSays) {
   MotionScene scene = WithoutObstacles();
   scene.arms[0].arm.base = TiltedBase();
+  for (Link& link : scene.arms[0].arm.links) link.shapes.clear();  // Nothing collides.
   const Arm& arm = scene.PlannedArm();
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> angle(-3, 3);
   for (int run = 0; run < 20; ++run) {
     Configuration pose(6);
     for (double& q : pose) q = angle(random);
-    ExecutionOptions options;
-    options.hold_time = 1 / options.step_rate;
-    options.snapshot_times = {0};
-    MotionScene without_collisions = scene;
-    for (Link& link : without_collisions.arms[0].arm.links) link.shapes.clear();
-    const ExecutionResult result = Execute(without_collisions, {pose}, options);
-    ASSERT_EQ(result.steps.size(), 1U);
-    // Of the angles that the step's motors left, which are those asked for but for rounding.
-    const Configuration& angles = result.steps[0].angles;
+    ArmWorld world(scene, pose, {});
+    world.Step(pose, pose);
+    // Within roundoff, the motors leave the angles as they are.
+    const Configuration angles = world.JointAngles();
     EXPECT_LE((angles - pose).norm(), 1e-4);
-    EXPECT_LE((result.steps[0].flange - FlangePose(arm, angles).position).norm(), Rounding());
-    ASSERT_EQ(result.snapshots.size(), 1U);
-    const std::vector<Pose> expected = LinkPoses(arm, angles);
-    ASSERT_EQ(result.snapshots[0].links.size(), expected.size());
+    EXPECT_LE((world.FlangePoseNow().position - FlangePose(arm, angles).position).norm(), Rounding());
+    const std::vector<Pose> links = world.LinkPosesNow(), expected = LinkPoses(arm, angles);
+    ASSERT_EQ(links.size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) {
-      EXPECT_LE((result.snapshots[0].links[i].position - expected[i].position).norm(), Rounding()) << i;
-      EXPECT_LE((result.snapshots[0].links[i].rotation - expected[i].rotation).norm(), Rounding()) << i;
+      EXPECT_LE((links[i].position - expected[i].position).norm(), Rounding()) << i;
+      EXPECT_LE((links[i].rotation - expected[i].rotation).norm(), Rounding()) << i;
     }
   }
 }
@@ -297,8 +293,8 @@ TEST(ExecutionTest, BodiesNearEachOther_AreNoContact) {
   const Eigen::Matrix3d slant = Eigen::AngleAxisd(std::numbers::pi / 4, Vector3d::UnitX()).toRotationMatrix();
   scene.arms[0].arm.links[1].shapes = {{Capsule{0.1, 0.4}, {slant, {0.5, 0, 0}}}};
   for (const double gap : {0.001, -0.001}) {
-    const Vector3d beside = Vector3d(0.5, 0, 0) + (0.2 + gap) * slant.col(1);
-    scene.obstacles = {{"ball", Sphere{0.1}, {Eigen::Matrix3d::Identity(), beside}}};
+    const Vector3d place = Vector3d(0.5, 0, 0) + (0.2 + gap) * slant.col(1);
+    scene.obstacles = {{"ball", Sphere{0.1}, {Eigen::Matrix3d::Identity(), place}}};
     EXPECT_EQ(NamesOf(Execute(scene, {Angles({0})})), gap > 0 ? "" : "bob and ball\n");
   }
 }
@@ -346,21 +342,19 @@ TEST(ExecutionTest, OtherArm_IsAnObstacle) {
   for (const ExecutionContact& contact : result.contacts) EXPECT_EQ(contact.second.rfind("other's ", 0), 0U);
 }
 
-TEST(ExecutionTest, Snapshots_AreTakenAtTheirTimes) {
+TEST(ExecutionTest, Steps_HaveTheirTimesAndThePlannedAngles) {
   const MotionScene scene = WithoutObstacles();
-  ExecutionOptions options;
-  options.snapshot_times = {0.1, 0.4, 100};
+  const ExecutionOptions options;
   double done = 0;
   const TimedPath path(scene.PlannedArm(), Sweep());
   const ExecutionResult result = ExecutePath(scene, path, options, [&](double share) { done = share; });
   EXPECT_EQ(done, 1);
-  ASSERT_EQ(result.snapshots.size(), 2U);  // The third is after the end.
-  for (const std::size_t i : {0U, 1U}) {
-    const double time = result.snapshots[i].time;
-    EXPECT_GE(time, options.snapshot_times[i]);
-    EXPECT_LT(time, options.snapshot_times[i] + 1 / options.step_rate);
-    const std::vector<Pose> expected = LinkPoses(scene.PlannedArm(), path.Sample(time).angles);
-    EXPECT_LE((result.snapshots[i].links.back().position - expected.back().position).norm(), 1e-5);
+  ASSERT_GE(static_cast<double>(result.steps.size()), (path.Duration() + options.hold_time) * options.step_rate);
+  for (std::size_t i = 0; i < result.steps.size(); ++i) {
+    const ExecutionStep& step = result.steps[i];
+    EXPECT_NEAR(step.time, static_cast<double>(i + 1) / options.step_rate, 1e-12);
+    EXPECT_EQ(step.planned, path.Sample(step.time).angles);
+    EXPECT_LE((step.flange - FlangePose(scene.PlannedArm(), step.planned).position).norm(), 1e-5);
   }
 }
 
@@ -375,12 +369,10 @@ TEST(ExecutionTest, OptionsOutOfRange_Throw) {
   const MotionScene scene = OneJointScene();
   const TimedPath path(scene.PlannedArm(), {Angles({0})});
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  for (const ExecutionOptions& options : {ExecutionOptions{.step_rate = 0, .snapshot_times = {}},
-                                          ExecutionOptions{.step_rate = kNan, .snapshot_times = {}},
-                                          ExecutionOptions{.hold_time = -1, .snapshot_times = {}},
-                                          ExecutionOptions{.position_gain = 0, .snapshot_times = {}},
-                                          ExecutionOptions{.position_gain = 1.1, .snapshot_times = {}},
-                                          ExecutionOptions{.solver_iterations = 0, .snapshot_times = {}}}) {
+  for (const ExecutionOptions& options :
+       {ExecutionOptions{.step_rate = 0}, ExecutionOptions{.step_rate = kNan}, ExecutionOptions{.hold_time = -1},
+        ExecutionOptions{.position_gain = 0}, ExecutionOptions{.position_gain = 1.1},
+        ExecutionOptions{.solver_iterations = 0}}) {
     EXPECT_THROW(ExecutePath(scene, path, options), std::invalid_argument);
   }
 }

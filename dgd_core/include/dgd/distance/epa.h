@@ -110,7 +110,7 @@ class EpaPolytope {
     if (replaced == face_count_) return false;
     // A surface without holes has room for as many faces as its points can make; one that roundoff has torn may not.
     if (face_count_ - replaced + hole.rim_size > kMaxFaces) return false;
-    // From the last one, so that no face moves that is still to go.
+    // In descending order: the last face, which takes a replaced one's place, stays.
     std::sort(visible.faces.begin(), visible.faces.begin() + replaced, std::greater<>());
     for (std::size_t i = 0; i < replaced; ++i) faces_[visible.faces[i]] = faces_[--face_count_];
     points_[size_] = added;
@@ -130,7 +130,7 @@ class EpaPolytope {
 
   /// The faces that a point is in front of, or in the plane of.
   struct Visible {
-    std::array<std::uint8_t, kMaxFaces> faces;  ///< Their places; the highest first.
+    std::array<std::uint8_t, kMaxFaces> faces;  ///< Their indices; that of the highest one first.
     std::size_t size = 0;
   };
 
@@ -142,7 +142,11 @@ class EpaPolytope {
         if ((corners & Bit(from)) == 0) edges[from] = 0;
         corners |= Bit(from);
         edges[from] |= Bit(to);
-        rim_size += HasEdge(to, from) ? -1 : 1;
+        if (HasEdge(to, from)) {
+          --rim_size;
+        } else {
+          ++rim_size;
+        }
       }
     }
     bool HasEdge(std::uint8_t from, std::uint8_t to) const {
@@ -176,8 +180,8 @@ class EpaPolytope {
     for (std::size_t i = 0; i < face_count_; ++i) {
       const Face& face = faces_[i];
       const S height = face.normal.dot(point) - face.distance;
-      // Faces that hold the point in their plane go, too: beside one of them, it may be in line with its edge.
-      // So do slivers, which look anywhere.
+      // Faces whose plane the point is in are replaced, too: next to one that stays, it may be in line with its edge.
+      // So are slivers, which have no plane.
       if (!(height > -face.slack || IsSliver(face))) continue;
       visible.faces[visible.size++] = static_cast<std::uint8_t>(i);
       if (!(height > highest)) continue;

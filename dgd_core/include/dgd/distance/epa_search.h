@@ -4,10 +4,9 @@
 //  * Every face of K that holds the origin's foot is a local minimum, and nothing but an inner approximation all around
 //    finds the least of them: an expanding polytope. Its nearest face bounds the depth from below, supporting planes
 //    from above; faces behind the best of these, which begins with the growth distance's, are not looked at.
-//  * The inner approximation of a curved set alone converges linearly: Newton's steps from the best plane are in
-//  between
-//    (newton_step.h). A deep overlap may ask for more points than the polytope has room for: then it is begun from
-//    scratch, at a smaller scale.
+//  * The inner approximation of a curved set alone converges linearly: between its points, Newton's steps are taken
+//    from the best plane (newton_step.h). A deep overlap may need more points than the polytope has room for: then it
+//    is begun from scratch, at a smaller scale.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -27,7 +26,7 @@
 
 namespace dgd::distance_internal {
 
-/// Lengths in metres, in the ray's frame, as PlaneSearch.
+/// The search about an origin inside of K, or on its border. Lengths in metres, in the ray's frame, as in PlaneSearch.
 template <class Set1, class Set2>
 class EpaSearch : protected PlaneSearch<Set1, Set2> {
   using Planes = PlaneSearch<Set1, Set2>;
@@ -72,12 +71,7 @@ class EpaSearch : protected PlaneSearch<Set1, Set2> {
 
   /// With the origin inside K.
   DGD_NOINLINE Status RunEpa(const std::array<Feature, 4>& corners) {
-    if constexpr (Difference::kIsSmooth) {
-      // The growth distance's plane has no support point yet, which Newton's first step needs.
-      const Point normal = best_.normal;
-      best_.height = std::numeric_limits<S>::infinity();
-      Cut(normal);
-    }
+    if constexpr (Difference::kIsSmooth) StartNewtonFromBestPlane();
     nearest_ = std::numeric_limits<S>::infinity();
     EpaPolytope<S> polytope(corners, SupportError(), size_);
     const auto finish = [&](Status status) { return Finish(status, polytope.NearestTo(best_.height * best_.normal)); };
@@ -119,6 +113,15 @@ class EpaSearch : protected PlaneSearch<Set1, Set2> {
   Feature foot_;                                    // The witness points' difference, without radii.
 
  private:
+  /// Leaves the best plane to Newton's first step, which needs a support point: the growth distance's plane has none.
+  void StartNewtonFromBestPlane() requires(Difference::kIsSmooth) {
+    is_news_ = true;
+    if (best_.has_support) return;
+    const Point normal = best_.normal;
+    best_.height = std::numeric_limits<S>::infinity();
+    Cut(normal);
+  }
+
   /// With the origin inside K: whether no normal elsewhere is much better.
   bool IsBestElsewhere() const { return best_.height + nearest_ <= kElsewhere * best_.height; }
 

@@ -70,13 +70,13 @@ class SignedDistanceSearch : private distance_internal::EpaSearch<Set1, Set2> {
   }
 
   /// Without a growth distance, from the line of the centres, where that is the shorter way: to a point or a segment,
-  /// and of curved cores that are far apart.
+  /// and between curved cores that a plane across the line separates.
   /// @return nothing if it is not.
   std::optional<Status> TryFromCenters() {
     if (!difference_.IsValid()) return Status::kInvalidInput;
     if (!Difference::kIsSmooth && !difference_.HasThinCore()) return std::nullopt;
     simplex_.Add(Cut(Point::UnitZ()));
-    if (Difference::kIsSmooth && !(best_.height < -kFar * size_)) return std::nullopt;
+    if (Difference::kIsSmooth && !(best_.height < 0)) return std::nullopt;
     return RunGjk();
   }
 
@@ -147,15 +147,17 @@ class SignedDistanceSearch : private distance_internal::EpaSearch<Set1, Set2> {
     simplex_ = {basis, size};
   }
 
-  /// Apart, the points are off by the root of the gap: for their sake more is asked for than the tolerance.
+  /// With the cores apart. The witness points are off by the root of the gap, so the gap has to be smaller than the
+  /// tolerance.
   bool HasGoodPoints() const { return nearest_ + best_.height <= std::max(RoundoffBound(), kForPoints * Tolerance()); }
+
   /// Newton's step on all pieces that the simplex is on, from the last plane if that is the best and separates the
-  /// cores; and the simplex goes with them if that brings it nearer. Else the simplex's normal: of cores that are near
-  /// each other it is no good start, for its error is the points' over their distance.
+  /// cores; else the simplex's normal. A step from the latter would start worse: where cores are near each other, its
+  /// error is the points' over their distance. If the pieces' points along the step are nearer, they are the simplex.
   Point NextNormalApart() {
     const Point own = simplex_.Normal();
     if constexpr (Difference::kIsSmooth) {
-      // Where the cores may overlap, the steps would only gather the points where an expanding polytope needs few.
+      // Where the cores may overlap, steps would only concentrate the points where an expanding polytope needs few.
       if (best_.height > 0 || !std::exchange(is_news_, false)) return own;
       const Point from = best_.normal;
       const Tangents tangents = TangentsAt(from);
@@ -231,12 +233,11 @@ class SignedDistanceSearch : private distance_internal::EpaSearch<Set1, Set2> {
     }
   }
 
-  /// Of the size: smooth cores that overlap by more are searched from the centres' line, since an expanding polytope
-  /// that begins with points all around ends sooner than one that begins with those of the growth distance.
+  /// Part of the size. Smooth cores that overlap by more are searched from the line of the centres: of ellipsoids, an
+  /// expanding polytope that begins with points all around takes 0.88 of the instructions of one that begins with those
+  /// of the growth distance, of cylinders 1.02 (query_instructions.sh, `signed`).
   static constexpr S kDeep = S(1e-4);
-  /// Of the size, along the line of the centres.
-  static constexpr S kFar = S(0.02);
-  /// What is asked for beyond the tolerance: two digits of the points.
+  /// Part of the tolerance that the gap has to be below: two digits of the points.
   static constexpr S kForPoints = S(1e-4);
 
   GjkSimplex<S> simplex_;

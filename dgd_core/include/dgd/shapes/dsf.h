@@ -22,7 +22,7 @@ namespace dsf_internal {
 struct Sums;
 }  // namespace dsf_internal
 
-/// What Dsf asks, in double whatever its scalar is: its powers are computed once, four at a time.
+/// The queries of Dsf, computed in double regardless of its scalar.
 /// Frame, units and errors are Dsf's.
 class DGD_EXPORT DsfInDouble {
  public:
@@ -45,7 +45,7 @@ class DGD_EXPORT DsfInDouble {
 
   double exponent_;
   std::uint32_t whole_power_;  // p - 2 if that is a whole number, else 0.
-  double least_part_;          // Of the highest height: what is lower counts for nothing.
+  double least_part_;          // Heights below this part of the highest one are left out of sums.
   Eigen::Vector3d origin_;
   double inradius_;
   std::vector<double> offsets_;  // Of the vertices from the origin, in blocks.

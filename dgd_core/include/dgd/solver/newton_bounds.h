@@ -54,7 +54,8 @@ class NewtonBounds {
     outer_on_1_ = on_1;
   }
 
-  /// A point of C beside the ray, and the ball of C about the origin beyond it, hold the ray up to a height between.
+  /// The hull of a point of C off the ray and of C's ball about the origin contains the ray up to a height between
+  /// theirs.
   void RaiseInner(const Point& point, const Point& on_1) {
     DGD_ASSERT(difference_.Inradius() > 0);
     const S inradius = difference_.Inradius();
