@@ -36,9 +36,9 @@ double MovingPair::SeparationAlong(const Vector3& normal) const {
   return normal.dot(SupportPoint(b_, -normal) - SupportPoint(a_, normal));
 }
 
-Contact MovingPair::Distance(const dgd::Settings<double>& settings, bool has_simplex,
+Contact MovingPair::Distance(const dgd::Settings<double>& settings, bool can_update,
                              dgd::WarmStart<double>& warm_start) const {
-  if (has_simplex) {
+  if (can_update) {
     if (const std::optional<Contact> contact = UpdateDistance(a_, b_, settings, warm_start)) return *contact;
   }
   Contact contact = dgd::GrowthDistance(a_.set, a_.pose, b_.set, b_.pose, settings, &warm_start);
@@ -84,7 +84,7 @@ void LetPass(dgd::ContactPatch<double>& patch, const Vector3& normal, const Pair
 }
 
 PredictedEncounter PredictEncounter(MovingPair& pair, const dgd::Settings<double>& settings,
-                                    dgd::WarmStart<double> warm_start, bool has_simplex, const Contact& start,
+                                    dgd::WarmStart<double> warm_start, bool can_update, const Contact& start,
                                     double at_end, double flush) {
   dgd::Settings<double> of_planes = settings;
   of_planes.separation_limit = std::numeric_limits<double>::infinity();
@@ -95,7 +95,7 @@ PredictedEncounter PredictEncounter(MovingPair& pair, const dgd::Settings<double
     const double entered = std::max(at_end, -kProbe * flush);
     time += (1 - time) * (plane.separation - entered) / (plane.separation - at_end);
     pair.MoveTo(time);
-    plane = pair.Distance(of_planes, has_simplex, warm_start);
+    plane = pair.Distance(of_planes, can_update, warm_start);
     if (!(plane.separation > -flush)) break;
     contact = pair.AtStart(plane);
     pair.MoveTo(1);
@@ -135,7 +135,7 @@ SpeculativeKind ClassifySpeculative(PairQuery& query, Contact& contact) {
   if (at_end > -flush) return is_touching ? SpeculativeKind::kPatch : SpeculativeKind::kNone;
   PairCache& cache = query.cache;
   const PredictedEncounter predicted =
-      PredictEncounter(pair, query.settings, cache.warm_start(), cache.MayBeApart(), contact, at_end, flush);
+      PredictEncounter(pair, query.settings, cache.warm_start(), cache.CanUpdateDistance(), contact, at_end, flush);
   if (predicted.encounter == Encounter::kMeet) return SpeculativeKind::kPatch;
   const double separation = predicted.contact.separation;
   if (predicted.encounter == Encounter::kPass) {

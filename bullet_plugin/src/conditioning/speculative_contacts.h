@@ -37,8 +37,8 @@ class MovingPair {
   double SeparationAlong(const Vector3& normal) const;
 
   /// The signed distance where the shapes are.
-  /// @param has_simplex  Whether UpdateDistance() can start from the warm start.
-  Contact Distance(const dgd::Settings<double>& settings, bool has_simplex, dgd::WarmStart<double>& warm_start) const;
+  /// @param can_update  Whether UpdateDistance() can start from the warm start.
+  Contact Distance(const dgd::Settings<double>& settings, bool can_update, dgd::WarmStart<double>& warm_start) const;
 
   /// A contact where the shapes are, for a solver that takes the bodies to be where they are at the start of the step:
   /// it has the arms about the bodies' centres and the normal that it has here, and the separation that the bodies'
@@ -85,11 +85,11 @@ struct PredictedEncounter {
 /// @param pair        The shapes; they are moved.
 /// @param flush       Metres: bodies that overlap by less than about this do not meet, so that one that slides over the
 ///                    seam of two others, flush but for roundoff, is not stopped by the second one's side.
-/// @param settings, warm_start, has_simplex  Those of the last query of the pair.
+/// @param settings, warm_start, can_update  Those of the last query of the pair.
 /// @param start       The contact at the start of the step, apart or overlapping by less than `flush`.
 /// @param at_end      The separation along its normal at the end of the step: an overlap by more than that; metres.
 PredictedEncounter PredictEncounter(MovingPair& pair, const dgd::Settings<double>& settings,
-                                    dgd::WarmStart<double> warm_start, bool has_simplex, const Contact& start,
+                                    dgd::WarmStart<double> warm_start, bool can_update, const Contact& start,
                                     double at_end, double flush);
 
 /// Which contacts bodies get that are apart, or overlap by less than counts.

@@ -26,9 +26,9 @@ class PairCache {
   enum class Kind : std::uint8_t {
     kNothing,         ///< A new pair, or one without a warm start.
     kSeparatingAxis,  ///< The last normal, along which the cores are, or may be, apart.
-    kSimplex,         ///< The nearest simplex of two cores that are apart.
+    kSimplex,         ///< The points that the last distance ended at, for UpdateDistance().
     kReferenceFace,   ///< The face of one shape that is across the last normal.
-    kPortal,          ///< The growth distance's basis; the cores overlap, so that there is no nearest simplex.
+    kPortal,          ///< The growth distance's basis, of curved cores that overlap: no distance goes on from there.
   };
 
   Kind kind() const { return kind_; }
@@ -37,8 +37,8 @@ class PairCache {
     DGD_ASSERT((side_ != dgd::ReferenceSide::kNone) == (kind_ == Kind::kReferenceFace));
     return side_;
   }
-  /// Whether the distance of the cores may be positive.
-  bool MayBeApart() const { return kind_ != Kind::kPortal; }
+  /// Whether UpdateDistance() may go on from here.
+  bool CanUpdateDistance() const { return kind_ != Kind::kPortal; }
   /// Whether the last normal may separate the shapes again. That of a reference face is updated with the face.
   bool HasAxis() const { return kind_ != Kind::kReferenceFace && dgd::HasNormal(warm_start_); }
   /// The last normal in shape A's frame; unit, if HasAxis().

@@ -32,13 +32,17 @@ bool IsCustom(const PosedShape& shape_a, const PosedShape& shape_b) {
   return shape_a.set.IsCustom() || shape_b.set.IsCustom();
 }
 
+bool ArePolytopes(const PosedShape& shape_a, const PosedShape& shape_b) {
+  return shape_a.set.AsPolytope() != nullptr && shape_b.set.AsPolytope() != nullptr;
+}
+
 }  // namespace
 
 bool TurnToLeastTranslation(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Settings<double>& settings,
                             dgd::WarmStart<double>& warm_start, Contact& contact) {
-  dgd::WarmStart<double> simplex;
+  dgd::WarmStart<double> follow;
   const dgd::SignedDistanceResult<double> turned = dgd::SignedDistance(
-      shape_a.set, shape_a.pose, shape_b.set, shape_b.pose, contact, &warm_start, settings, &simplex);
+      shape_a.set, shape_a.pose, shape_b.set, shape_b.pose, contact, &warm_start, settings, &follow);
   if (turned.status == dgd::Status::kInvalidInput) return false;
   // Regardless of the status, the separation along a normal is certain. A gain within the roundoff of the shapes is
   // none: it would cost the witness points more.
@@ -50,19 +54,22 @@ bool TurnToLeastTranslation(const PosedShape& shape_a, const PosedShape& shape_b
   DGD_ASSERT(!(turned.separation > contact.separation) || IsUnit(turned.normal));
   if (turned.separation > contact.separation + negligible) Set(turned, contact);
   if (IsCustom(shape_a, shape_b)) return false;
-  if (turned.status != dgd::Status::kOptimal || !(turned.separation + radius > negligible)) return false;
-  warm_start = simplex;
+  if (turned.status != dgd::Status::kOptimal) return false;
+  const bool are_apart = turned.separation + radius > negligible;
+  if (!are_apart && !ArePolytopes(shape_a, shape_b)) return false;
+  warm_start = follow;
   return true;
 }
 
 std::optional<Contact> UpdateDistance(const PosedShape& shape_a, const PosedShape& shape_b,
                                       const dgd::Settings<double>& settings, dgd::WarmStart<double>& warm_start) {
   if (IsCustom(shape_a, shape_b)) return std::nullopt;
-  // Sharp bodies in contact overlap.
-  if (!(shape_a.set.Radius() + shape_b.set.Radius() > 0)) return std::nullopt;
-  // Without a warm start, the growth distance shows sooner that polytopes are apart.
-  const bool are_polytopes = shape_a.set.AsPolytope() != nullptr && shape_b.set.AsPolytope() != nullptr;
-  if (are_polytopes && warm_start.size == 0) return std::nullopt;
+  if (ArePolytopes(shape_a, shape_b)) {
+    // The growth distance shows sooner that new polytopes are apart.
+    if (warm_start.size == 0) return std::nullopt;
+  } else if (!(shape_a.set.Radius() + shape_b.set.Radius() > 0)) {
+    return std::nullopt;  // Sharp bodies in contact overlap.
+  }
   return CertainContact(
       dgd::UpdateDistance(shape_a.set, shape_a.pose, shape_b.set, shape_b.pose, settings, warm_start));
 }

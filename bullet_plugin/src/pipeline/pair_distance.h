@@ -12,7 +12,7 @@ namespace dgd_bullet {
 /// Turns the normal of a solved pair to where the bodies overlap least, or are farthest apart, with the separation and
 /// the witness points; leaves the contact as it is if that gains nothing.
 /// @param settings, warm_start  Those that dgd::GrowthDistance() had. The warm start is left for UpdateDistance() if
-///                              the cores are apart.
+///                              the cores are apart, or polytopes.
 /// @return whether UpdateDistance() can start from it.
 bool TurnToLeastTranslation(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Settings<double>& settings,
                             dgd::WarmStart<double>& warm_start, Contact& contact);
@@ -20,7 +20,7 @@ bool TurnToLeastTranslation(const PosedShape& shape_a, const PosedShape& shape_b
 /// Replaces dgd::GrowthDistance() and TurnToLeastTranslation(), at less than half their cost, for a pair whose warm
 /// start one of the functions here has left, and for a pair that was apart or is new. The growth distance stays
 /// unknown.
-/// @return nothing, with the warm start unchanged, if the cores are not apart, or the pair is to be solved from
+/// @return nothing, with the warm start unchanged, if curved cores are not apart, or the pair is to be solved from
 ///         scratch: new polytopes, and shapes that only Bullet can evaluate.
 std::optional<Contact> UpdateDistance(const PosedShape& shape_a, const PosedShape& shape_b,
                                       const dgd::Settings<double>& settings, dgd::WarmStart<double>& warm_start);

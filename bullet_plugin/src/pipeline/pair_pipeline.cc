@@ -55,7 +55,7 @@ std::optional<Contact> TryReferenceFace(PairQuery& query) {
 /// The distance of the cores, updated from the simplex of the last query.
 std::optional<Contact> TrySimplex(PairQuery& query) {
   PairCache& cache = query.cache;
-  if (!query.wants_least_translation || !cache.MayBeApart()) return std::nullopt;
+  if (!query.wants_least_translation || !cache.CanUpdateDistance()) return std::nullopt;
   std::optional<Contact> contact = UpdateDistance(query.shape_a, query.shape_b, query.settings, cache.warm_start());
   if (!contact) return std::nullopt;
   cache.Set(PairCache::Kind::kSimplex);

@@ -69,8 +69,8 @@ void PairQuery::TurnNormal(Contact& contact) {
   if (!wants_least_translation || stage != PairOutcome::Stage::kSolved || std::exchange(is_turned, true)) return;
   DGD_ASSERT(!has_facing);
   if (is_user_query) settings.max_iterations *= kPatience;
-  const bool has_simplex = TurnToLeastTranslation(shape_a, shape_b, settings, cache.warm_start(), contact);
-  cache.Set(has_simplex ? PairCache::Kind::kSeparatingAxis : PairCache::Kind::kPortal);
+  const bool can_update = TurnToLeastTranslation(shape_a, shape_b, settings, cache.warm_start(), contact);
+  cache.Set(can_update ? PairCache::Kind::kSeparatingAxis : PairCache::Kind::kPortal);
 }
 
 void PairQuery::FindFacing(const Contact& contact) {
@@ -78,7 +78,9 @@ void PairQuery::FindFacing(const Contact& contact) {
   DGD_ASSERT(IsUnit(contact.normal));
   dgd::FindFacingFaces(shape_a.set, shape_a.pose, shape_b.set, shape_b.pose, contact, options.angular_tolerance,
                        facing);
-  if (!wants_least_translation || !cache.MayBeApart()) return;
+  // A reference face can be followed while the cores are apart.
+  const bool are_apart = contact.separation + shape_a.set.Radius() + shape_b.set.Radius() > 0;
+  if (!wants_least_translation || !cache.CanUpdateDistance() || !are_apart) return;
   const bool had_face = cache.kind() == PairCache::Kind::kReferenceFace;
   cache.SetReferenceFace(dgd::ReferenceSideOf(facing), had_face ? PairCache::Kind::kSeparatingAxis : cache.kind());
 }

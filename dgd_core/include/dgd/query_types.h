@@ -94,10 +94,21 @@ bool IsFinite(const Result<S, L>& result) {
 /// exist, which are ignored.
 template <class S, int L = 3>
 struct WarmStart {
+  /// An overlap in space may be left with more points than the L of a basis or a nearest simplex.
+  static constexpr std::size_t kMostFeatures = L == 3 ? 6 : L;
+
   Vector<S, L> normal_1 = Vector<S, L>::Zero();  ///< Last normal, in set 1's frame, unit length; zero for none.
-  /// Points of the Minkowski difference by the features of the two cores: the last basis of the inner approximation.
-  std::array<FeatureId, L> features_1{}, features_2{};
-  std::int32_t size = 0;  ///< Points in the basis; 0 if the sets were separated by more than the limit.
+  /// Points of the Minkowski difference by the features of the two cores: the last basis of the inner approximation,
+  /// the nearest simplex of cores that are apart, or corners of an expanding polytope.
+  std::array<FeatureId, kMostFeatures> features_1{}, features_2{};
+  std::int32_t size = 0;  ///< Of these points; 0 if the sets were separated by more than the limit.
+
+  /// @pre There is room.
+  void Add(FeatureId feature_1, FeatureId feature_2) {
+    const auto slot = static_cast<std::size_t>(size++);
+    features_1[slot] = feature_1;
+    features_2[slot] = feature_2;
+  }
 };
 static_assert(sizeof(WarmStart<double>) <= 128, "must fit into a Bullet algorithm object beside the rest");
 

@@ -14,6 +14,7 @@
 
 #include "dgd/assert.h"
 #include "dgd/distance/gjk_simplex.h"
+#include "dgd/query_types.h"
 #include "dgd/solver/minkowski_difference.h"
 #include "dgd/types.h"
 
@@ -29,8 +30,12 @@ class EpaPolytope {
   struct Face {
     Vector3<S> normal;                    ///< Outward, unit length; zero for a sliver.
     S distance;                           ///< Of its plane to the origin, metres; infinite for a sliver.
-    S slack;                              ///< By how much roundoff may tilt it at the set's other end, metres.
+    S slack;                              ///< By how much roundoff may tilt it at the set's other end; as above.
     std::array<std::uint8_t, 3> corners;  ///< Counterclockwise seen from outside.
+
+    S Height(const Vector3<S>& point) const { return normal.dot(point) - distance; }
+    /// Whether a point is below the face's plane, by more than roundoff; none is below a sliver, which has no plane.
+    bool HasBelow(const Vector3<S>& point) const { return Height(point) < -slack; }
   };
 
   /// @param corners   Of a tetrahedron that holds the origin, but for roundoff.
@@ -77,6 +82,22 @@ class EpaPolytope {
     return nearest;
   }
 
+  std::array<Feature, 3> CornersOf(const Face& face) const {
+    return {points_[face.corners[0]], points_[face.corners[1]], points_[face.corners[2]]};
+  }
+
+  /// Leaves the features of its points for another search: those of the first tetrahedron first, then the last ones
+  /// that there is room for.
+  void Leave(WarmStart<S>& state) const {
+    const std::size_t room = state.features_1.size();
+    const std::size_t left_out = size_ > room ? size_ - room : 0;
+    state.size = 0;
+    for (std::size_t i = 0; i < size_ - left_out; ++i) {
+      const Feature& point = points_[i < 4 ? i : i + left_out];
+      state.Add(point.feature_1, point.feature_2);
+    }
+  }
+
   bool IsFull() const { return size_ == kMaxPoints; }
 
   /// The point of the surface that is nearest to a point on or outside of it.
@@ -84,8 +105,7 @@ class EpaPolytope {
     Feature nearest = points_[0];
     S least = std::numeric_limits<S>::infinity();
     std::for_each(faces_.begin(), End(), [&](const Face& face) {
-      const bool is_turned_away = !IsSliver(face) && face.normal.dot(target) - face.distance < -face.slack;
-      if (is_turned_away) return;
+      if (face.HasBelow(target)) return;
       std::array<Feature, 3> corners{points_[face.corners[0]], points_[face.corners[1]], points_[face.corners[2]]};
       for (Feature& corner : corners) corner.point -= target;
       const GjkSimplex<S> triangle(corners, 3);
@@ -178,11 +198,10 @@ class EpaPolytope {
   S FindVisible(const Vector3<S>& point, Visible& visible) const {
     S highest = -std::numeric_limits<S>::infinity();
     for (std::size_t i = 0; i < face_count_; ++i) {
-      const Face& face = faces_[i];
-      const S height = face.normal.dot(point) - face.distance;
+      const S height = faces_[i].Height(point);
       // Faces whose plane the point is in are replaced, too: next to one that stays, it may be in line with its edge.
-      // So are slivers, which have no plane.
-      if (!(height > -face.slack || IsSliver(face))) continue;
+      // So are slivers, of -infinite height.
+      if (height < -faces_[i].slack) continue;
       visible.faces[visible.size++] = static_cast<std::uint8_t>(i);
       if (!(height > highest)) continue;
       highest = height;
@@ -237,7 +256,7 @@ class EpaPolytope {
     } else {
       face.normal.setZero();
       face.distance = std::numeric_limits<S>::infinity();
-      face.slack = 0;
+      face.slack = std::numeric_limits<S>::infinity();
       if (longest > 0) widest_sliver_ = std::max(widest_sliver_, area / longest);
     }
   }

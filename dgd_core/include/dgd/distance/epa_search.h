@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "dgd/assert.h"
 #include "dgd/distance/epa.h"
@@ -70,11 +71,14 @@ class EpaSearch : protected PlaneSearch<Set1, Set2> {
   }
 
   /// With the origin inside K.
-  DGD_NOINLINE Status RunEpa(const std::array<Feature, 4>& corners) {
+  DGD_FLATTEN DGD_NOINLINE Status RunEpa(const std::array<Feature, 4>& corners) {
     if constexpr (Difference::kIsSmooth) StartNewtonFromBestPlane();
     nearest_ = std::numeric_limits<S>::infinity();
     EpaPolytope<S> polytope(corners, SupportError(), size_);
-    const auto finish = [&](Status status) { return Finish(status, polytope.NearestTo(best_.height * best_.normal)); };
+    const auto finish = [&](Status status) {
+      if constexpr (Difference::kIsPolytope) polytope.Leave(corners_.emplace());
+      return Finish(status, polytope.NearestTo(best_.height * best_.normal));
+    };
     for (;;) {
       const auto& face = polytope.Nearest();
       nearest_ = std::min(nearest_, -polytope.Inradius());
@@ -111,6 +115,7 @@ class EpaSearch : protected PlaneSearch<Set1, Set2> {
 
   S nearest_ = std::numeric_limits<S>::infinity();  // Signed distance of K's inner approximation, metres.
   Feature foot_;                                    // The witness points' difference, without radii.
+  std::optional<WarmStart<S>> corners_;             // Of the expanding polytope, at its end; of polytopes.
 
  private:
   /// Leaves the best plane to Newton's first step, which needs a support point: the growth distance's plane has none.

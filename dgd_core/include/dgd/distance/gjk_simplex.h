@@ -161,12 +161,8 @@ class GjkSimplex {
   }
   /// Leaves the features of the points for another query.
   void Leave(WarmStart<S>& state) const {
-    DGD_ASSERT(size_ <= state.features_1.size());
-    state.size = static_cast<std::int32_t>(size_);
-    for (std::size_t i = 0; i < size_; ++i) {
-      state.features_1[i] = points_[i].feature_1;
-      state.features_2[i] = points_[i].feature_2;
-    }
+    state.size = 0;
+    for (std::size_t i = 0; i < size_; ++i) state.Add(points_[i].feature_1, points_[i].feature_2);
   }
 
  private:

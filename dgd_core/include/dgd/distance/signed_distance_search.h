@@ -83,7 +83,7 @@ class SignedDistanceSearch : private distance_internal::EpaSearch<Set1, Set2> {
   /// For sets whose cores are apart, from where the last search ended, or from the line of the centres. Polytopes have
   /// a search of their own for this: warm_gjk.h.
   /// @return kOptimal or kSeparated; anything else if they are not apart.
-  Status SolveApart(const WarmStart<S>& last) requires(!Difference::kIsPolytope) {
+  Status Solve(const WarmStart<S>& last) requires(!Difference::kIsPolytope) {
     if (!difference_.IsValid()) return Status::kInvalidInput;
     is_apart_ = true;
     const bool is_known = last.normal_1.squaredNorm() > S(0.5);  // Else it is zero.
@@ -95,10 +95,14 @@ class SignedDistanceSearch : private distance_internal::EpaSearch<Set1, Set2> {
     return RunGjk();
   }
 
-  /// Leaves the simplex, and the normal, for SolveApart().
+  /// Leaves the simplex, and the normal, for Solve(last).
   void Remember(Status status, WarmStart<S>& warm_start) const {
+    if (corners_) {
+      warm_start = *corners_;
+    } else {
+      simplex_.Leave(warm_start);
+    }
     warm_start.normal_1 = difference_.NormalOfSet1(best_.normal);
-    simplex_.Leave(warm_start);
     if (status == Status::kSeparated) warm_start.size = 0;
   }
 
@@ -108,6 +112,7 @@ class SignedDistanceSearch : private distance_internal::EpaSearch<Set1, Set2> {
 
  private:
   using Overlap::best_;
+  using Overlap::corners_;
   using Overlap::Cut;
   using Overlap::difference_;
   using Overlap::Finish;
@@ -134,7 +139,7 @@ class SignedDistanceSearch : private distance_internal::EpaSearch<Set1, Set2> {
   void AddBasis(const WarmStart<S>& warm_start, const Point& normal) requires(Difference::kHasFeatures) {
     std::array<Feature, 3> basis;
     std::size_t size = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(warm_start.size); ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(warm_start.size) && size < basis.size(); ++i) {
       const FeatureId feature_1 = warm_start.features_1[i], feature_2 = warm_start.features_2[i];
       if (!difference_.HasFeatures(feature_1, feature_2)) continue;
       if constexpr (Difference::kIsPolytope) {
@@ -242,7 +247,7 @@ class SignedDistanceSearch : private distance_internal::EpaSearch<Set1, Set2> {
 
   GjkSimplex<S> simplex_;
   Descent<S> descent_;
-  bool is_apart_ = false;  // By SolveApart(): ends where the origin turns out to be inside of K.
+  bool is_apart_ = false;  // By Solve(last): ends where the origin turns out to be inside of K.
 };
 
 }  // namespace dgd

@@ -91,9 +91,7 @@ class NewtonSearch : private solver_internal::NewtonBounds<MinkowskiDifference<S
     for (int i = 0; i < size_ && warm_start.size < L; ++i) {
       const Piece& piece = pieces_[static_cast<std::size_t>(i)];
       if (i > 0 && (!piece.is_active || piece.is_fixed)) continue;
-      const auto slot = static_cast<std::size_t>(warm_start.size++);
-      warm_start.features_1[slot] = piece.at.support.feature_1;
-      warm_start.features_2[slot] = piece.at.support.feature_2;
+      warm_start.Add(piece.at.support.feature_1, piece.at.support.feature_2);
     }
   }
 

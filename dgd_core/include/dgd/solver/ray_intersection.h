@@ -214,7 +214,7 @@ class RayIntersection {
     if constexpr (Difference::kIsPolytope) {
       std::array<Feature, L> basis;
       int size = 0;
-      for (std::size_t i = 0; i < static_cast<std::size_t>(warm_start.size); ++i) {
+      for (std::size_t i = 0; i < static_cast<std::size_t>(warm_start.size) && size < L; ++i) {
         if (!difference_.HasFeatures(warm_start.features_1[i], warm_start.features_2[i])) continue;
         basis[static_cast<std::size_t>(size++)] =
             difference_.FromVertices(warm_start.features_1[i], warm_start.features_2[i]);
@@ -261,9 +261,7 @@ class RayIntersection {
     const InnerApproximation<S, L>& inner = Inner();
     for (int i = 0; i < inner.Size(); ++i) {
       if (inner[i].feature_1 == kNoFeature || inner[i].feature_2 == kNoFeature) continue;
-      const auto slot = static_cast<std::size_t>(warm_start.size++);
-      warm_start.features_1[slot] = inner[i].feature_1;
-      warm_start.features_2[slot] = inner[i].feature_2;
+      warm_start.Add(inner[i].feature_1, inner[i].feature_2);
     }
   }
 
