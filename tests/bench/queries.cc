@@ -37,7 +37,7 @@ constexpr int kPairs = 100, kFrames = 5;
 constexpr std::array kKinds = {
     "hulls", "meshes",     "capsule-hull", "hull-cylinder",     "boxes",         "cylinders",
     "cones", "ellipsoids", "custom-hulls", "custom-ellipsoids", "rounded-hulls", "rounded-cylinders"};
-constexpr std::array kQueries = {"growth", "warm", "check", "signed", "alone", "update"};
+constexpr std::array kQueries = {"growth", "warm", "check", "signed", "alone", "update", "overlap"};
 
 /// What the sets refer to.
 struct Cores {
@@ -71,11 +71,12 @@ dgd::AnySet MakeSet(dgd_test::Random& random, const Cores& cores, std::string_vi
   return RoundedSet{dgd::CoreReference<dgd::Polytope<double>>(hull), radius};
 }
 
-/// How far the sets' origins are from each other, metres. The cores of an updated pair must stay apart; those of a
-/// signed distance alone are apart more often than not, and checks are of pairs that overlap more often than not.
+/// How far the sets' origins are from each other, metres. The cores of an updated pair stay apart, or in overlap; those
+/// of a signed distance alone are apart more often than not, and checks are of pairs that overlap more often than not.
 double RandomDistance(dgd_test::Random& random, std::string_view query) {
   if (query == "update") return random.Uniform(1, 1.1);
   if (query == "alone") return random.Uniform(0.7, 1.2);
+  if (query == "overlap") return random.Uniform(0.6, 0.8);
   return query == "check" ? random.Uniform(0.3, 0.8) : random.Uniform(0.5, 1);
 }
 
@@ -94,10 +95,13 @@ double RandomDistance(dgd_test::Random& random, std::string_view query) {
     (void)dgd::SignedDistance(a, pose_a, b, pose_b);
   } else {
     const dgd::Result<double> growth = dgd::GrowthDistance(a, pose_a, b, pose_b, {}, &state);
-    dgd::WarmStart<double> simplex;
-    (void)dgd::SignedDistance(a, pose_a, b, pose_b, growth, &state, {}, &simplex);
+    dgd::WarmStart<double> follow;
+    (void)dgd::SignedDistance(a, pose_a, b, pose_b, growth, &state, {}, &follow);
     if (query == "signed") return;
-    for (const Pose& pose : frames) (void)dgd::UpdateDistance(a, pose_a, b, pose, {}, simplex);
+    for (const Pose& pose : frames) {
+      if (dgd::UpdateDistance(a, pose_a, b, pose, {}, follow).status == dgd::Status::kOptimal) continue;
+      (void)dgd::SignedDistance(a, pose_a, b, pose, {}, &follow);
+    }
   }
 }
 

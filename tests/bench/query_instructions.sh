@@ -1,7 +1,8 @@
 #!/bin/sh
 # Instructions that a query takes, by callgrind: kinds of queries by kinds of pairs, means over 100 random pairs. They do
 # not depend on what else the machine does, so that two versions of the solver can be compared to the per cent. `warm` is
-# five frames, `update` a signed distance and five frames, and `alone` a signed distance without a growth distance.
+# five frames, `update` and `overlap` a signed distance and five frames, apart and in overlap, and `alone` a signed
+# distance without a growth distance.
 #
 #   sh tests/bench/query_instructions.sh      after a build; needs valgrind
 set -eu
@@ -28,4 +29,5 @@ check hulls capsule-hull cones
 signed hulls boxes cylinders cones ellipsoids
 alone hulls capsule-hull cylinders cones ellipsoids
 update rounded-hulls rounded-cylinders
+overlap hulls boxes
 END

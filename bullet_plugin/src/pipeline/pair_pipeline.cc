@@ -52,7 +52,7 @@ std::optional<Contact> TryReferenceFace(PairQuery& query) {
   return contact;
 }
 
-/// The distance of the cores, updated from the simplex of the last query.
+/// The distance of the cores, updated from the points that the last query ended at.
 std::optional<Contact> TrySimplex(PairQuery& query) {
   PairCache& cache = query.cache;
   if (!query.wants_least_translation || !cache.CanUpdateDistance()) return std::nullopt;
