@@ -1,0 +1,103 @@
+// The narrowphase for unmodified programs, in one precision of Bullet. The stub opens it once a dispatcher of that
+// precision fills its tables.
+#include "backend.h"
+
+#include <errno.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <unordered_map>
+
+#include "dgd_bullet/register.h"
+#include "environment.h"
+#include "option_text.h"
+#include "total_statistics.h"
+
+namespace dgd_preload {
+namespace {
+
+/// One narrowphase per configuration. The end of a configuration goes unnoticed, so none is ever freed: a configuration
+/// that is made later at the same address shares the narrowphase, which refers to neither of them. Memory for
+/// algorithms and manifolds comes from the dispatcher that each call brings, and so from its own configuration's pools.
+class Narrowphases {
+ public:
+  /// Throws as MakeNarrowphase().
+  explicit Narrowphases(const dgd_bullet::Options& options) : options_(options) {
+    dgd_bullet::MakeNarrowphase(options);
+  }
+
+  dgd_bullet::Narrowphase& Of(const void* configuration) {
+    const std::lock_guard lock(mutex_);
+    std::shared_ptr<dgd_bullet::Narrowphase>& narrowphase = of_configuration_[configuration];
+    if (narrowphase == nullptr) narrowphase = dgd_bullet::MakeNarrowphase(options_);
+    return *narrowphase;
+  }
+
+  dgd_bullet::Statistics Total() {
+    const std::lock_guard lock(mutex_);
+    dgd_bullet::Statistics total;
+    for (const auto& [configuration, narrowphase] : of_configuration_) {
+      Add(dgd_bullet::StatisticsOf(*narrowphase), total);
+    }
+    return total;
+  }
+
+ private:
+  const dgd_bullet::Options options_;
+  std::mutex mutex_;
+  std::unordered_map<const void*, std::shared_ptr<dgd_bullet::Narrowphase>> of_configuration_;
+};
+
+/// Never destroyed: worlds with static storage may outlive any object of ours.
+Narrowphases* g_narrowphases = nullptr;
+
+void PrintStatistics() {
+  const std::string json = dgd_bullet::ToJson(g_narrowphases->Total());
+  std::fprintf(stderr, "dgd-bullet: %s, Bullet in %s:\n%s", program_invocation_name,
+               sizeof(btScalar) == sizeof(double) ? "double" : "float", json.c_str());
+}
+
+/// Throws std::exception with the reason why there are none.
+void MakeNarrowphases() {
+  const char* text = std::getenv(kOptions);
+  dgd_bullet::Options options = ParseOptions(text != nullptr ? text : "");
+  options.count_pairs = IsOn(kStatistics);
+  g_narrowphases = new Narrowphases(options);
+  if (options.count_pairs) std::atexit(PrintStatistics);
+}
+
+}  // namespace
+}  // namespace dgd_preload
+
+extern "C" {
+
+[[gnu::visibility("default")]] const char* dgd_bullet_preload_start() {
+  static const std::string& reason = *new std::string([]() -> std::string {
+    try {
+      dgd_preload::MakeNarrowphases();
+      return "";
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+  }());
+  return reason.empty() ? nullptr : reason.c_str();
+}
+
+[[gnu::visibility("default")]] void* dgd_bullet_preload_choose_create_func(const void* configuration,
+                                                                           dgd_preload::Table table, int type_0,
+                                                                           int type_1, void* original) {
+  try {
+    dgd_bullet::Narrowphase& narrowphase = dgd_preload::g_narrowphases->Of(configuration);
+    btCollisionAlgorithmCreateFunc* ours = table == dgd_preload::kContacts
+                                               ? dgd_bullet::ContactCreateFunc(narrowphase, type_0, type_1)
+                                               : dgd_bullet::ClosestPointsCreateFunc(narrowphase, type_0, type_1);
+    return ours != nullptr ? ours : original;
+  } catch (const std::exception&) {
+    return original;  // No memory for another narrowphase.
+  }
+}
+}
