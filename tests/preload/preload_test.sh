@@ -1,9 +1,9 @@
 #!/bin/sh
 # Runs an app of one precision that is built without dgd_bullet by dgd-bullet-run, linked against Bullet and loading it
 # by a plugin, and compares it with the plain app.
-# Usage: preload_test.sh DGD_BULLET_RUN LINKED_APP LOADING_APP PLUGIN STATIC_APP OUTPUT_DIR
+# Usage: preload_test.sh DGD_BULLET_RUN LINKED_APP LOADING_APP PLUGIN STATIC_APP FOREIGN_APP OUTPUT_DIR
 set -eu
-run=$1 linked=$2 loading=$3 plugin=$4 static=$5 output=$6
+run=$1 linked=$2 loading=$3 plugin=$4 static=$5 foreign=$6 output=$7
 mkdir -p "$output"
 cd "$output"
 
@@ -88,6 +88,11 @@ cp "$library" lonely.so
 LD_PRELOAD="$PWD/lonely.so" "$linked" one >out 2>err
 cmp plain out
 expect "cannot open shared object file.*Bullet's own narrowphase is used" err
+[ "$(wc -l <err)" -eq 1 ] || complain "more than a line:" err
+
+# A Bullet that is not ours is left alone.
+"$run" --statistics "$foreign" 2>err || complain "$foreign has changed" err
+expect "libpreload_own_bullet.so is not the Bullet library that dgd_bullet is compiled for; Bullet's own" err
 [ "$(wc -l <err)" -eq 1 ] || complain "more than a line:" err
 
 # A process without Bullet reports that, and is otherwise left alone; its exit status is the app's.
