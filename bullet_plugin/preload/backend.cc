@@ -12,6 +12,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "audit.h"
 #include "dgd_bullet/register.h"
 #include "environment.h"
 #include "option_text.h"
@@ -54,11 +55,30 @@ class Narrowphases {
 
 /// Never destroyed: worlds with static storage may outlive any object of ours.
 Narrowphases* g_narrowphases = nullptr;
+Audit* g_audit = nullptr;  ///< Null unless both narrowphases are used.
+
+constexpr const char* kPrecision = sizeof(btScalar) == sizeof(double) ? "double" : "float";
 
 void PrintStatistics() {
   const std::string json = dgd_bullet::ToJson(g_narrowphases->Total());
-  std::fprintf(stderr, "dgd-bullet: %s, Bullet in %s:\n%s", program_invocation_name,
-               sizeof(btScalar) == sizeof(double) ? "double" : "float", json.c_str());
+  std::fprintf(stderr, "dgd-bullet: %s, Bullet in %s:\n%s", program_invocation_name, kPrecision, json.c_str());
+}
+
+void PrintAudit() {
+  std::fprintf(stderr,
+               "dgd-bullet: audit of %s, Bullet in %s. Its contacts were the built-in's; separations, in metres, are "
+               "those of the deepest contact of a call:\n%s",
+               program_invocation_name, kPrecision, g_audit->ToText().c_str());
+}
+
+/// @return null where the types are left to Bullet.
+btCollisionAlgorithmCreateFunc* OurCreateFunc(const void* configuration, Table table, int type_0, int type_1,
+                                              btCollisionAlgorithmCreateFunc& original) {
+  dgd_bullet::Narrowphase& narrowphase = g_narrowphases->Of(configuration);
+  if (g_audit == nullptr && table == kContacts) return dgd_bullet::ContactCreateFunc(narrowphase, type_0, type_1);
+  auto* closest_points = dgd_bullet::ClosestPointsCreateFunc(narrowphase, type_0, type_1);
+  if (g_audit == nullptr || closest_points == nullptr) return closest_points;
+  return g_audit->CreateFuncOf(original, *closest_points);
 }
 
 /// Throws std::exception with the reason why there are none.
@@ -68,6 +88,9 @@ void MakeNarrowphases() {
   options.count_pairs = IsOn(kStatistics);
   g_narrowphases = new Narrowphases(options);
   if (options.count_pairs) std::atexit(PrintStatistics);
+  if (!IsOn(kAudit)) return;
+  g_audit = new Audit();
+  std::atexit(PrintAudit);
 }
 
 }  // namespace
@@ -91,10 +114,8 @@ extern "C" {
                                                                            dgd_preload::Table table, int type_0,
                                                                            int type_1, void* original) {
   try {
-    dgd_bullet::Narrowphase& narrowphase = dgd_preload::g_narrowphases->Of(configuration);
-    btCollisionAlgorithmCreateFunc* ours = table == dgd_preload::kContacts
-                                               ? dgd_bullet::ContactCreateFunc(narrowphase, type_0, type_1)
-                                               : dgd_bullet::ClosestPointsCreateFunc(narrowphase, type_0, type_1);
+    btCollisionAlgorithmCreateFunc* ours = dgd_preload::OurCreateFunc(
+        configuration, table, type_0, type_1, *static_cast<btCollisionAlgorithmCreateFunc*>(original));
     return ours != nullptr ? ours : original;
   } catch (const std::exception&) {
     return original;  // No memory for another narrowphase.

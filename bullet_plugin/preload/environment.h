@@ -15,5 +15,6 @@ inline bool IsOn(const char* name) {
 constexpr const char kOff[] = "DGD_BULLET_OFF";
 constexpr const char kOptions[] = "DGD_BULLET_OPTIONS";
 constexpr const char kStatistics[] = "DGD_BULLET_STATISTICS";
+constexpr const char kAudit[] = "DGD_BULLET_AUDIT";
 
 }  // namespace dgd_preload

@@ -169,7 +169,8 @@ void* CreateFuncOf(void* configuration, Table table, int type_0, int type_1) {
 
 /// Reports at the process's end that nothing was counted.
 [[gnu::destructor]] void ReportNoBullet() {
-  if (!IsOn(kStatistics) || IsOn(kOff) || g_classes.load(std::memory_order_acquire) != nullptr) return;
+  if (!(IsOn(kStatistics) || IsOn(kAudit)) || IsOn(kOff) || g_classes.load(std::memory_order_acquire) != nullptr)
+    return;
   std::fprintf(stderr,
                "dgd-bullet: %s: no Bullet was reached in this process: no dispatcher was made, or Bullet is linked in "
                "statically.\n",

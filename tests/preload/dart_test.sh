@@ -40,3 +40,6 @@ grep -q '"type_0": "BOX", "type_1": "BOX", "calls": [1-9]' statistics || {
 }
 DGD_BULLET_OFF=1 "$run" "$@" >off
 cmp plain off
+"$run" --audit "$@" >audited 2>audit
+cmp plain audited
+grep -q '^BOX and BOX, [1-9]' audit

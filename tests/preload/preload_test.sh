@@ -30,8 +30,8 @@ fails_with() { # STATUS TEXT COMMAND...: prints the text and nothing of the app'
 }
 solved='"type_0": "BOX", "type_1": "BOX", "calls": [1-9][0-9]*,.*"solved": [1-9]'
 
-# Apps that are linked and apps that load Bullet, with one world, several at once, and one after the other.
-for arrangement in one together sequence; do
+# Apps that are linked and apps that load Bullet, with one world, several at once, and one after the other; and a heap.
+for arrangement in one together sequence heap; do
   for kind in linked loading; do
     case $kind in
       linked) set -- "$linked" "$arrangement" ;;
@@ -53,7 +53,21 @@ for arrangement in one together sequence; do
     "$run" "$@" >quiet 2>err
     cmp ours quiet
     expect_empty err
+
+    # So it is under audit, with all that callbacks and queries see.
+    "$run" --audit "$@" >audited 2>audit
+    cmp plain audited
+    expect 'BOX and BOX, [1-9][0-9]* calls' audit
+    expect 'in both: [0-9.]+ %, which differ by up to' audit
   done
+done
+
+# Where spheres touch, all agree but for roundoff (the last audit is that of the heap).
+for types in 'SPHERE and STATIC_PLANE' 'CONVEX_HULL and SPHERE' 'SPHERE and CAPSULE'; do
+  grep -A 2 "^$types" audit >lines
+  expect 'differ by up to 0|e-(0[6-9]|1[0-9]) \(half' lines
+  expect 'worst, ours less the built-in.s, [-+][0-9.]+e-(0[6-9]|1[0-9])$' lines
+  [ "$(grep -c 'only: ' lines)" -eq 0 ] || complain "$types: contacts in one only" audit
 done
 
 # Every world is the first one to the last bit, also on a narrowphase that another one has left.

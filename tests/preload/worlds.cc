@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <string_view>
 
+#include "heap.h"
+
 namespace {
 
 constexpr btScalar kHalf = btScalar(0.5);
@@ -104,5 +106,6 @@ int RunWorlds(const char* arrangement) {
   if (name == "one") return RunOne() ? 0 : 1;
   if (name == "together") return RunTogether() ? 0 : 1;
   if (name == "sequence") return RunSequence() ? 0 : 1;
+  if (name == "heap") return RunHeap() ? 0 : 1;
   return 2;
 }
