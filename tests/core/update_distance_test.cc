@@ -31,9 +31,10 @@ struct Count {
   long iterations = 0;  // Of those followed.
 
   void Print(const char* what) const {
-    std::printf("%s: %d frames: %d followed, %d of them in overlap, in %.2f iterations, %d separated, %d refused, "
-                "%d of them apart\n",
-                what, frames, followed, in_overlap, double(iterations) / followed, separated, refused, stalled);
+    std::printf(
+        "%s: %d frames: %d followed, %d of them in overlap, in %.2f iterations, %d separated, %d refused, "
+        "%d of them apart\n",
+        what, frames, followed, in_overlap, double(iterations) / followed, separated, refused, stalled);
   }
 };
 
