@@ -76,17 +76,6 @@ TEST_P(BulletBench, FirstQuery_FewPairsAndFramesBothTablesArePrinted) {
   for (const char* row : {"\n1000 ", "\nbuiltin ", "\ndgd "}) EXPECT_GE(Count(outcome.output, row), 1) << row;
 }
 
-TEST_P(BulletBench, HullPairs_TablesHoldEveryRowAndOursIsRight) {
-  const Outcome outcome = RunBench("hull_pairs", "--pairs 30 --repeats 1 --rounds 1 --margin 0 0.04");
-  EXPECT_EQ(outcome.status, 0) << outcome.output;
-  for (const char* distance_class : {"separated, ", "nearly touching, ", "touching, within", "shallow, ", "deep, "}) {
-    EXPECT_EQ(Count(outcome.output, std::string("\n") + distance_class), 2) << distance_class << '\n' << outcome.output;
-  }
-  for (const char* method : {"Bullet GJK/EPA", "FCL", "ours, signed distance ", "ours ", "paper's algorithm, plain "}) {
-    EXPECT_EQ(Count(outcome.output, std::string("\n") + method), 10) << method << '\n' << outcome.output;
-  }
-}
-
 TEST_P(BulletBench, HardCases_TableHoldsEveryMethodAndNoWrongGrowthDistance) {
   const Outcome outcome = RunBench("hard_cases", "--cases 9 --rounds 1 --class touching-features");
   EXPECT_EQ(outcome.status, 0) << outcome.output;
@@ -157,6 +146,40 @@ TEST_P(NarrowphaseReplay, DamagedRecord_IsReplayedUpToTheDamage) {
   EXPECT_EQ(Count(outcome.output, "\n10 pairs, Bullet linked in "), 1) << outcome.output;
 }
 
+TEST_P(BulletBench, ShapePairs_EveryKindHasATableAndOursIsRight) {
+  const Outcome outcome = RunBench("shape_pairs", "--pairs 10 --repeats 1 --rounds 1 --margin 0 0.04");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  constexpr const char* kWithMargins[] = {"hulls", "boxes", "cylinders", "cylinder-hull"};
+  constexpr const char* kWithout[] = {"capsule-hull", "capsules", "cones", "ellipsoids"};
+  for (const char* kind : kWithMargins) {
+    EXPECT_EQ(Count(outcome.output, std::string("\n") + kind + ", margin 0 m: "), 1) << kind << '\n' << outcome.output;
+    EXPECT_EQ(Count(outcome.output, std::string("\n") + kind + ", margin 0.04 m: "), 1) << kind << outcome.output;
+  }
+  for (const char* kind : kWithout) {
+    EXPECT_EQ(Count(outcome.output, std::string("\n") + kind + ", margin "), 1) << kind << '\n' << outcome.output;
+  }
+  constexpr int kTables = 2 * std::size(kWithMargins) + std::size(kWithout);
+  for (const char* method : {"FCL", "ours, signed distance ", "ours, signed distance, warm ", "ours "}) {
+    EXPECT_EQ(Count(outcome.output, std::string("\n") + method), kTables) << method << '\n' << outcome.output;
+  }
+  EXPECT_EQ(Count(outcome.output, "\nBullet GJK/EPA"), kTables - 1) << "It has no ellipsoid.\n" << outcome.output;
+}
+
+TEST_P(BulletBench, ShapePairs_DetailsHaveATableForEveryClass) {
+  const Outcome outcome = RunBench("shape_pairs",
+                                   "--kinds hulls --margin 0.04 --details --pairs 30 --repeats 1 --rounds 1"
+                                   " --methods bullet_mpr,signed_distance,growth,plain");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  for (const char* distance_class : {"separated, ", "nearly touching, ", "touching, within", "shallow, ", "deep, "}) {
+    EXPECT_EQ(Count(outcome.output, std::string("\nhulls, margin 0.04 m: ") + distance_class), 1)
+        << distance_class << '\n'
+        << outcome.output;
+  }
+  for (const char* method : {"Bullet MPR", "ours, signed distance ", "ours ", "paper's algorithm, plain "}) {
+    EXPECT_EQ(Count(outcome.output, std::string("\n") + method), 6) << method << '\n' << outcome.output;
+  }
+}
+
 TEST_P(BulletBench, WrongArguments_EndWithStatusTwo) {
   constexpr const char* kWrong[][2] = {{"big_scenes", "--duration 0"},
                                        {"big_scenes", "--settle -1"},
@@ -170,11 +193,12 @@ TEST_P(BulletBench, WrongArguments_EndWithStatusTwo) {
                                        {"hard_cases", "--class none"},
                                        {"hard_cases", "--cases 0"},
                                        {"hard_cases", "--tolerance 1"},
-                                       {"hull_pairs", "--margin -0.1"},
-                                       {"hull_pairs", "--csv /no/such/file"},
                                        {"narrowphase_replay", ""},
                                        {"narrowphase_replay", "/no/such.rec"},
-                                       {"narrowphase_replay", "x.rec --methods none"}};
+                                       {"narrowphase_replay", "x.rec --methods none"},
+                                       {"shape_pairs", "--kinds none"},
+                                       {"shape_pairs", "--margin -0.1"},
+                                       {"shape_pairs", "--csv /no/such/file"}};
   for (const auto& [program, arguments] : kWrong) {
     EXPECT_EQ(RunBench(program, arguments).status, 2) << program << ' ' << arguments;
   }

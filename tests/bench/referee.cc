@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/distance_bounds.h"
-
 namespace dgd_bench {
 namespace {
 
@@ -15,12 +13,16 @@ constexpr double kNegligible = 1e-6;  // Of the extent.
 
 }  // namespace
 
-Referee::Referee(const dgd_test::AnyPair<double, 3>& pair) : pair_(pair), negligible_(kNegligible * pair.Extent()) {
+dgd_test::DistanceBounds BoundSignedDistance(const dgd_test::AnyPair<double, 3>& pair) {
   const Vector3d between = pair.Center(Which::kSecond) - pair.Center(Which::kFirst);
-  const dgd_test::DistanceBounds bounds = dgd_test::BoundDistanceToOrigin([&](const Vector3d& direction) -> Vector3d {
+  return dgd_test::BoundDistanceToOrigin([&](const Vector3d& direction) -> Vector3d {
     const Vector3d unit = direction.normalized();
     return between + pair.SupportFromCenter(Which::kSecond, unit) - pair.SupportFromCenter(Which::kFirst, -unit);
   });
+}
+
+Referee::Referee(const dgd_test::AnyPair<double, 3>& pair) : pair_(pair), negligible_(kNegligible * pair.Extent()) {
+  const dgd_test::DistanceBounds bounds = BoundSignedDistance(pair);
   lower_ = bounds.lower;
   upper_ = bounds.upper;
 }

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include "bench/peers/peer.h"
+#include "support/distance_bounds.h"
 #include "support/pairs/any_pair.h"
 
 namespace dgd_bench {
@@ -17,10 +18,13 @@ struct SeparationErrors {
   bool is_wrong = false;  ///< Yes or no: apart where they overlap, or the other way round.
 };
 
+/// On the signed distance of the sets; the normal is from the second to the first. Some 50 us.
+dgd_test::DistanceBounds BoundSignedDistance(const dgd_test::AnyPair<double, 3>& pair);
+
 /// The pair in one pose.
 class Referee {
  public:
-  /// Bounds the signed distance from both sides by planes and points (support/distance_bounds.h): some 50 us.
+  /// Bounds the signed distance from both sides, as above.
   /// @param pair  Must outlive this, and stay where it is.
   explicit Referee(const dgd_test::AnyPair<double, 3>& pair);
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/hull_pair.h"
+#include "core/hull_pair.h"
 #include "dgd/growth_distance.h"
 #include "dgd/shapes/polytope.h"
 #include "dgd/signed_distance.h"
@@ -19,10 +19,9 @@ constexpr int kPairs = 300;
 template <class S>
 void ExpectOraclesDistance(double least, double greatest, double margin, double tolerance) {
   dgd_demos::Random random(1, 0);
-  const dgd_bench::DistanceClass distances{"", "", least, greatest};
   double worst = 0, gained = 0;
   for (int i = 0; i < kPairs; ++i) {
-    const dgd_bench::HullPair pair = dgd_bench::DrawHullPair(random, distances, dgd_bench::DistanceOf::kSets, margin);
+    const HullPair pair = DrawHullPair(random, least, greatest, margin);
     const dgd::Polytope<S> core_1(pair.core_1.vertices), core_2(pair.core_2.vertices);
     const dgd::RoundedSet set_1{dgd::CoreReference(core_1), static_cast<S>(margin)};
     const dgd::RoundedSet set_2{dgd::CoreReference(core_2), static_cast<S>(margin)};
@@ -34,12 +33,12 @@ void ExpectOraclesDistance(double least, double greatest, double margin, double 
       const dgd::SignedDistanceResult<S> result = dgd::SignedDistance(set_1, pose_1, set_2, pose_2, growth, start);
       ASSERT_EQ(result.status, dgd::Status::kOptimal) << "pair " << i;
       ASSERT_NEAR(double(result.separation), pair.signed_distance, tolerance) << "pair " << i;
-      worst = std::max(worst, dgd_bench::NormalError(pair, result.normal.template cast<double>()));
+      worst = std::max(worst, NormalError(pair, result.normal.template cast<double>()));
       // Where the two witness points are, both surfaces are: moved by the separation, they coincide.
       ASSERT_LE(double((result.witness_2 - result.witness_1 - result.separation * result.normal).norm()),
                 std::sqrt(tolerance));
     }
-    gained = std::max(gained, dgd_bench::NormalError(pair, growth.normal.template cast<double>()));
+    gained = std::max(gained, NormalError(pair, growth.normal.template cast<double>()));
   }
   EXPECT_LE(worst, tolerance);
   std::printf("normal off by at most %.1e m; the growth distance's by %.1e m\n", worst, gained);

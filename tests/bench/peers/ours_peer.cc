@@ -12,7 +12,7 @@ using dgd_test::SetNumbers;
 /// What the plugin keeps of a pair from step to step.
 struct PairMemory {
   dgd::WarmStart<double> warm_start;
-  bool may_be_apart = true;
+  bool can_update = true;
 };
 
 class OursPeer : public Peer {
@@ -58,14 +58,14 @@ class OursPeer : public Peer {
     dgd_bullet::PosedShape shape_1 = posed_1_, shape_2 = posed_2_;  // Their centres may move.
     dgd_bullet::MoveCentersTogether(shape_1, shape_2);
     constexpr dgd::Settings<double> kSettings;
-    if (is_warm_ && memory.may_be_apart) {
+    if (is_warm_ && memory.can_update) {
       if (const auto updated = dgd_bullet::UpdateDistance(shape_1, shape_2, kSettings, memory.warm_start)) {
         return *updated;
       }
     }
     dgd::Result<double> result =
         dgd::GrowthDistance(shape_1.set, shape_1.pose, shape_2.set, shape_2.pose, kSettings, &memory.warm_start);
-    memory.may_be_apart = dgd_bullet::TurnToLeastTranslation(shape_1, shape_2, kSettings, memory.warm_start, result);
+    memory.can_update = dgd_bullet::TurnToLeastTranslation(shape_1, shape_2, kSettings, memory.warm_start, result);
     return result;
   }
 
