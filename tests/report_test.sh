@@ -19,6 +19,7 @@ for name in error times_cold times_warm vertices convergence replay drop; do
   [ -s "$folder/$name.svg" ] || fail "there is no $name.svg"
   grep -q "($name.svg)" "$folder/report.md" || fail "report.md does not show $name"
 done
+grep -q '<td>ellipsoids, margin 0 m</td>' "$folder/index.html" || fail "the page has no table of shapes"
 grep -q 'src="http\|href="http' "$folder/index.html" && fail "the page needs the network"
 
 # What a browser makes of it: how many figures have an extent, and how many pictures have pixels.
