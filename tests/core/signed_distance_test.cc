@@ -170,6 +170,24 @@ TYPED_TEST(SignedDistanceTest, CoresThatAreTiny_HaveAUnitNormal) {
   }
 }
 
+// Roundoff tears the expanding polytope's surface, whose edges are then more than its faces can have.
+TEST(SignedDistance, ThinPlateInABoxAMillionTimesAsLarge_KeepsTheBounds) {
+  using Vector3 = Eigen::Vector3d;
+  const Vector3 half_of_box(0x1.28096b1771d83p+9, 0x1.5419fa658014bp+7, 0x1.511b6acb64ed9p+9);
+  const Vector3 half_of_plate(0x1.7d5a64daff08cp-14, 0x1.93906aa685725p-1, 0x1.3d03bfc68d7ebp-2);
+  const dgd::RoundedSet box{dgd::Box<double>(half_of_box)};
+  const dgd::RoundedSet plate{dgd::Box<double>(half_of_plate), 0x1.f353341b3d49fp-24};
+  dgd::Pose<double> pose_1, pose_2;
+  pose_1.rotation << 0x1.b3b6129658368p-2, 0x1.c53ab6551332p-1, -0x1.810ace6c7fa36p-3, 0x1.462168ca2a7f8p-4,
+      -0x1.f2d418f02b2dp-3, -0x1.eee77e7ed5b5ap-1, -0x1.cd8ac223346b8p-1, 0x1.95d57c23364ap-2, -0x1.649945ea53c5p-3;
+  pose_2.rotation << 0x1.dd9c5e7ca9bacp-2, -0x1.7807a921a4c62p-1, -0x1.f8d8ade8ac91cp-2, 0x1.188d6c70a6552p-1,
+      0x1.5ad78e9f9628cp-1, -0x1.f6888a1e86994p-2, 0x1.638961b90e64ep-1, -0x1.51f0d18b8d77cp-5, 0x1.6fd1ee466795p-1;
+  pose_2.translation = Vector3(-0x1.81ea049292fbfp+6, 0x1.2574fe44a7d16p+6, -0x1.97cbbe194fc7ap+3);
+  const auto result = dgd::SignedDistance(box, pose_1, plate, pose_2);
+  EXPECT_LT(result.separation, 0);
+  EXPECT_NEAR(result.separation, result.upper_bound, 1e-4);
+}
+
 TYPED_TEST(SignedDistanceTest, SphereInEllipsoid_LeavesAlongTheShortAxis) {
   using S = TypeParam;
   const dgd::RoundedSet ellipsoid{dgd::Ellipsoid<S>({2, 1, S(0.5)})};

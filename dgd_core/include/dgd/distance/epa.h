@@ -161,6 +161,8 @@ class EpaPolytope {
         const std::uint8_t from = face.corners[i], to = face.corners[(i + 1) % 3];
         if ((corners & Bit(from)) == 0) edges[from] = 0;
         corners |= Bit(from);
+        // A surface that roundoff has torn may have an edge twice.
+        if ((edges[from] & Bit(to)) != 0) continue;
         edges[from] |= Bit(to);
         if (HasEdge(to, from)) {
           --rim_size;
@@ -191,7 +193,7 @@ class EpaPolytope {
 
     std::array<std::uint64_t, kMaxPoints> edges;  ///< Bit b of [a], for corners a: a face has the edge from a to b.
     std::uint64_t corners = 0;                    ///< Bit a: an edge begins at point a.
-    std::size_t rim_size = 0;                     ///< Edges of one face alone.
+    std::size_t rim_size = 0;                     ///< Edges without the opposite one: what ForEachRimEdge() visits.
   };
 
   /// @return the height of a point over the plane that it is farthest in front of, metres.

@@ -10,7 +10,7 @@
 //    direction, whose supporting plane bounds the distance from below.
 //  * Overlap. With the origin inside, an expanding polytope finds the least of many local minima: epa_search.h.
 //  * Frames. While cores stay apart, the last normal is where the next search starts: no growth distance is needed in
-//    between. Of polytopes, the last nearest simplex is (warm_gjk.h).
+//    between. Polytopes have a search of their own, apart and in overlap (warm_distance.h).
 //  * Curves. The inner approximation of a curved set alone converges linearly. So there are Newton's steps in between,
 //    as long as they gain, on all pieces that the simplex is on (newton_kink_step.h).
 #pragma once
@@ -81,7 +81,7 @@ class SignedDistanceSearch : private distance_internal::EpaSearch<Set1, Set2> {
   }
 
   /// For sets whose cores are apart, from where the last search ended, or from the line of the centres. Polytopes have
-  /// a search of their own for this: warm_gjk.h.
+  /// a search of their own for this: warm_distance.h.
   /// @return kOptimal or kSeparated; anything else if they are not apart.
   Status Solve(const WarmStart<S>& last) requires(!Difference::kIsPolytope) {
     if (!difference_.IsValid()) return Status::kInvalidInput;
