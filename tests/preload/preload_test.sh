@@ -81,6 +81,13 @@ expect '"patch_sizes": \[[0-9]+, [1-9][0-9]*, 0, 0, 0\]' statistics
 DGD_BULLET_OPTIONS=normal_mode=growth,geometry_mode=sharp "$run" --set warm_start=off "$linked" one >out
 
 # Errors are reported before the app starts.
+# A copy of the script alone, and one in a folder that LD_PRELOAD would split.
+mkdir -p alone 'with space'
+cp "$run" alone/
+fails_with 2 "libdgd_bullet_preload.so is neither in" alone/dgd-bullet-run "$linked" one
+cp "$run" 'with space/'
+: >'with space/libdgd_bullet_preload.so'
+fails_with 2 "no path with a space or a colon" 'with space/dgd-bullet-run' "$linked" one
 fails_with 2 "there is no option 'frction_anchors'" "$run" --set frction_anchors=off "$linked" one
 fails_with 2 "option friction_anchors must be on or off, not 'perhaps'" "$run" --set friction_anchors=perhaps "$linked"
 fails_with 2 "option max_iterations must be an integer, not '1e3'" "$run" --set max_iterations=1e3 "$linked" one
