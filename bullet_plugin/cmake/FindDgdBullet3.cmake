@@ -144,6 +144,7 @@ list(JOIN _dgd_bullet3_found ", " DgdBullet3_LOCATION)
 set(_dgd_bullet3_reason
     "Debian's package is libbullet-dev. Bullet_ROOT names the prefix of a Bullet that is installed elsewhere.")
 if(_dgd_bullet3_roots)
+  list(JOIN _dgd_bullet3_roots " or " _dgd_bullet3_roots)
   string(PREPEND _dgd_bullet3_reason
          "In ${_dgd_bullet3_roots} there must be include/bullet/btBulletCollisionCommon.h, and in lib BulletCollision, \
 LinearMath and BulletDynamics. ")
