@@ -1,12 +1,13 @@
 # Finds Bullet, in float, in double, or in both. The build uses this file, and so does the installed package. (Bullet's
-# own BulletConfig.cmake knows one precision at a time, and names every library of Bullet's.) In this order:
+# own BulletConfig.cmake has one precision at a time, and names every library of Bullet's.) In this order:
 #
 #   - the targets of a Bullet that the same build has added, by add_subdirectory() or FetchContent;
-#   - the prefixes in Bullet_ROOT, a list, as a variable or in the environment, and nowhere else if it is set;
+#   - the prefixes in Bullet_ROOT, a list, of the environment if it is no variable, and nowhere else if it is set;
 #   - where CMake looks for everything, CMAKE_PREFIX_PATH first.
 #
-# Headers and libraries are always of one prefix. Debian's libbullet-dev has the libraries in double beside those in
-# float, with the suffix -float64; a Bullet built from source has one precision, which its symbols tell.
+# Headers and libraries are always of one prefix. Debian's libbullet-dev has the libraries in double next to those
+# in float, with the suffix -float64; a Bullet built from source has one precision, which is read from its symbols. Both
+# precisions must be of one version.
 #
 #   dgd_bullet3::float             headers, BulletCollision and LinearMath, float
 #   dgd_bullet3::float64           the same in double; defines BT_USE_DOUBLE_PRECISION, which the headers must see
@@ -17,8 +18,8 @@
 # DgdBullet3_<precision>_FOUND, _PREFIX and _SUFFIX, the last one that of its libraries' names.
 include(FindPackageHandleStandardArgs)
 
-# Of the headers in a folder: 3.24, say, in DgdBullet3_VERSION.
-function(_dgd_bullet3_read_version include_dir)
+# The version of the headers in a folder: 3.24, say.
+function(_dgd_bullet3_read_version include_dir result)
   set(version "")
   if(EXISTS "${include_dir}/LinearMath/btScalar.h")
     file(STRINGS "${include_dir}/LinearMath/btScalar.h" line REGEX "^#define BT_BULLET_VERSION [0-9]+" LIMIT_COUNT 1)
@@ -26,11 +27,11 @@ function(_dgd_bullet3_read_version include_dir)
       set(version "${CMAKE_MATCH_1}.${CMAKE_MATCH_2}")
     endif()
   endif()
-  set(DgdBullet3_VERSION "${version}" PARENT_SCOPE)
+  set(${result} "${version}" PARENT_SCOPE)
 endfunction()
 
-# The libraries are files or targets. Static ones, of which neither Bullet's own targets nor files say what they need, are
-# searched until nothing is missing.
+# The libraries are files or targets. Bullet's static ones do not list what they link, so that the linker scans them until
+# nothing is missing.
 function(_dgd_bullet3_add_targets precision include_dir collision linear_math dynamics)
   add_library(dgd_bullet3::${precision} INTERFACE IMPORTED)
   target_include_directories(dgd_bullet3::${precision} INTERFACE "${include_dir}")
@@ -66,7 +67,7 @@ macro(_dgd_bullet3_use_targets)
   if("BT_USE_DOUBLE_PRECISION" IN_LIST _dgd_bullet3_flags)
     set(_dgd_bullet3_precision float64)
   endif()
-  _dgd_bullet3_read_version("${_dgd_bullet3_include}")
+  _dgd_bullet3_read_version("${_dgd_bullet3_include}" DgdBullet3_VERSION)
   set(DgdBullet3_${_dgd_bullet3_precision}_FOUND TRUE)
   set(DgdBullet3_${_dgd_bullet3_precision}_PREFIX "${_dgd_bullet3_include}")
   set(DgdBullet3_${_dgd_bullet3_precision}_SUFFIX "")
@@ -78,7 +79,6 @@ endmacro()
 
 # Bullet in one prefix, or where CMake looks for everything: adds the precisions that are there and were not found yet.
 macro(_dgd_bullet3_look_in)
-  unset(_dgd_bullet3_include CACHE)
   find_path(_dgd_bullet3_include btBulletCollisionCommon.h ${ARGN} PATH_SUFFIXES include/bullet bullet NO_CACHE)
   if(_dgd_bullet3_include)
     get_filename_component(_dgd_bullet3_prefix "${_dgd_bullet3_include}/../.." ABSOLUTE)
@@ -92,8 +92,12 @@ macro(_dgd_bullet3_look_in)
       endforeach()
       if(_dgd_bullet3_BulletCollision AND _dgd_bullet3_LinearMath AND _dgd_bullet3_BulletDynamics)
         _dgd_bullet3_read_precision("${_dgd_bullet3_BulletCollision}" _dgd_bullet3_precision)
-        if(_dgd_bullet3_precision AND NOT DgdBullet3_${_dgd_bullet3_precision}_FOUND)
-          _dgd_bullet3_read_version("${_dgd_bullet3_include}")
+        _dgd_bullet3_read_version("${_dgd_bullet3_include}" _dgd_bullet3_version)
+        if(DgdBullet3_VERSION AND NOT _dgd_bullet3_version STREQUAL DgdBullet3_VERSION)
+          message(WARNING "Bullet ${_dgd_bullet3_version} in ${_dgd_bullet3_prefix} is left out: the other is "
+                          "${DgdBullet3_VERSION}")
+        elseif(_dgd_bullet3_precision AND NOT DgdBullet3_${_dgd_bullet3_precision}_FOUND)
+          set(DgdBullet3_VERSION "${_dgd_bullet3_version}")
           set(DgdBullet3_${_dgd_bullet3_precision}_FOUND TRUE)
           set(DgdBullet3_${_dgd_bullet3_precision}_PREFIX "${_dgd_bullet3_prefix}")
           set(DgdBullet3_${_dgd_bullet3_precision}_SUFFIX "${_dgd_bullet3_suffix}")
@@ -112,6 +116,7 @@ macro(_dgd_bullet3_look_in)
   unset(_dgd_bullet3_include)
 endmacro()
 
+set(DgdBullet3_VERSION "")
 foreach(_dgd_bullet3_precision float float64)
   set(DgdBullet3_${_dgd_bullet3_precision}_FOUND FALSE)
 endforeach()
@@ -144,9 +149,9 @@ list(JOIN _dgd_bullet3_found ", " DgdBullet3_LOCATION)
 set(_dgd_bullet3_reason
     "Debian's package is libbullet-dev. Bullet_ROOT names the prefix of a Bullet that is installed elsewhere.")
 if(_dgd_bullet3_roots)
-  list(JOIN _dgd_bullet3_roots " or " _dgd_bullet3_roots)
+  list(JOIN _dgd_bullet3_roots " or " _dgd_bullet3_words)
   string(PREPEND _dgd_bullet3_reason
-         "In ${_dgd_bullet3_roots} there must be include/bullet/btBulletCollisionCommon.h, and in lib BulletCollision, \
+         "In ${_dgd_bullet3_words} there must be include/bullet/btBulletCollisionCommon.h, and in lib BulletCollision, \
 LinearMath and BulletDynamics. ")
 endif()
 if(DgdBullet3_LOCATION)

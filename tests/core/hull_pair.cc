@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 constexpr int kLeastVertices = 8;
 constexpr int kMostVertices = 20;
 constexpr double kDiameter = 1.0;          // Greatest distance of two vertices, m.
-constexpr double kPlacementError = 1e-12;  // m; a thousandth of what the solver's answers are held to.
+constexpr double kPlacementError = 1e-12;  // m; a thousandth of the error that the tests allow.
 constexpr double kRoom = 1.0;  // First hull's position, each coordinate, m: poses are not centred on the origin.
 
 // Moves hull 2 along `direction` from hull 1's position until the sets have the signed distance `wanted`; false if

@@ -1,5 +1,5 @@
-// The distance followed from frame to frame: the same answer as SignedDistance() gives anew, certified, and a clear
-// refusal where curved cores overlap.
+// The distance followed from frame to frame: the same answer as SignedDistance() gives from scratch, certified, and a
+// clear refusal where curved cores overlap.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -38,7 +38,7 @@ struct Count {
   }
 };
 
-/// Two sets that drift past each other, shaken, for some frames: asked by following, and anew.
+/// Two sets that drift past each other, shaken, for some frames: queried by following, and from scratch.
 template <class Core1, class Core2, class S = typename Core1::Scalar>
 void Walk(Random& random, const dgd::RoundedSet<Core1>& set_1, const dgd::RoundedSet<Core2>& set_2, Count& count) {
   constexpr bool kIsPolytope = dgd::MinkowskiDifference<dgd::RoundedSet<Core1>, dgd::RoundedSet<Core2>>::kIsPolytope;
@@ -60,8 +60,9 @@ void Walk(Random& random, const dgd::RoundedSet<Core1>& set_1, const dgd::Rounde
                 dgd::Pose<S>{pose_2.rotation.cast<S>(), pose_2.translation.cast<S>()});
     dgd::WarmStart<S> warm_start, fresh;
     const auto growth = pair.GrowthDistance({}, &warm_start);
-    const auto anew = pair.SignedDistance(growth, &warm_start, {}, &fresh);
-    const double radius = double(set_1.radius + set_2.radius), anew_separation = double(anew.separation);
+    const auto from_scratch = pair.SignedDistance(growth, &warm_start, {}, &fresh);
+    const double radius = double(set_1.radius + set_2.radius),
+                 separation_from_scratch = double(from_scratch.separation);
     if (can_follow) {
       ++count.frames;
       const dgd::WarmStart<S> before = state;
@@ -70,12 +71,12 @@ void Walk(Random& random, const dgd::RoundedSet<Core1>& set_1, const dgd::Rounde
         case Status::kOptimal: {
           ++count.followed;
           count.iterations += followed.iterations;
-          if (anew_separation + radius < -tolerance) ++count.in_overlap;
-          // What separates the sets by more is right; anew, a search in float may have stalled.
-          EXPECT_GE(double(followed.separation), anew_separation - 2 * tolerance);
+          if (separation_from_scratch + radius < -tolerance) ++count.in_overlap;
+          // What separates the sets by more is right; from scratch, a search in float may have stalled.
+          EXPECT_GE(double(followed.separation), separation_from_scratch - 2 * tolerance);
           EXPECT_LE(double(followed.upper_bound), double(followed.separation) + 2 * tolerance);
-          if (anew.status == Status::kOptimal) {
-            EXPECT_NEAR(double(followed.separation), anew_separation, 2 * tolerance);
+          if (from_scratch.status == Status::kOptimal) {
+            EXPECT_NEAR(double(followed.separation), separation_from_scratch, 2 * tolerance);
           }
           const auto certificate = pair.Certify(followed);
           EXPECT_TRUE(certificate.Holds(2 * tolerance, std::sqrt(tolerance)))
@@ -93,15 +94,15 @@ void Walk(Random& random, const dgd::RoundedSet<Core1>& set_1, const dgd::Rounde
         }
         default:
           ++count.refused;
-          if (anew_separation + radius > tolerance) ++count.stalled;
+          if (separation_from_scratch + radius > tolerance) ++count.stalled;
           EXPECT_EQ(state.features_1, before.features_1);
           EXPECT_EQ(state.size, before.size);
       }
       can_follow = followed.status == Status::kOptimal;
     }
     if (can_follow) continue;
-    const bool is_followed = kIsPolytope || anew_separation + radius > tolerance;
-    can_follow = anew.status == Status::kOptimal && is_followed && anew_separation < kLimit;
+    const bool is_followed = kIsPolytope || separation_from_scratch + radius > tolerance;
+    can_follow = from_scratch.status == Status::kOptimal && is_followed && separation_from_scratch < kLimit;
     state = fresh;
   }
 }

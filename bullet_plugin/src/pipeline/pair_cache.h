@@ -26,7 +26,7 @@ class PairCache {
   enum class Kind : std::uint8_t {
     kNothing,         ///< A new pair, or one without a warm start.
     kSeparatingAxis,  ///< The last normal, along which the cores are, or may be, apart.
-    kSimplex,         ///< The points that the last distance ended at, for UpdateDistance().
+    kDistancePoints,  ///< The points that the last distance ended at, for UpdateDistance().
     kReferenceFace,   ///< The face of one shape that is across the last normal.
     kPortal,          ///< The growth distance's basis, of curved cores that overlap: no distance goes on from there.
   };

@@ -53,13 +53,13 @@ std::optional<Contact> TryReferenceFace(PairQuery& query) {
 }
 
 /// The distance of the cores, updated from the points that the last query ended at.
-std::optional<Contact> TrySimplex(PairQuery& query) {
+std::optional<Contact> TryDistancePoints(PairQuery& query) {
   PairCache& cache = query.cache;
   if (!query.wants_least_translation || !cache.CanUpdateDistance()) return std::nullopt;
   std::optional<Contact> contact = UpdateDistance(query.shape_a, query.shape_b, query.settings, cache.warm_start());
   if (!contact) return std::nullopt;
-  cache.Set(PairCache::Kind::kSimplex);
-  query.found_by = PairCache::Kind::kSimplex;
+  cache.Set(PairCache::Kind::kDistancePoints);
+  query.found_by = PairCache::Kind::kDistancePoints;
   query.stage = PairOutcome::Stage::kUpdated;
   return contact;
 }
@@ -79,7 +79,7 @@ Contact SolveGrowthDistance(PairQuery& query) {
 /// The stages that search the contact of two shapes, each from where the last query left off.
 Contact FindContact(PairQuery& query) {
   if (const auto contact = TryReferenceFace(query)) return *contact;
-  if (const auto contact = TrySimplex(query)) return *contact;
+  if (const auto contact = TryDistancePoints(query)) return *contact;
   return SolveGrowthDistance(query);
 }
 

@@ -102,7 +102,8 @@ struct WarmStart {
   /// Points of the Minkowski difference by the features of the two cores: the last basis of the inner approximation,
   /// the nearest simplex of cores that are apart, or corners of an expanding polytope.
   std::array<FeatureId, kMostFeatures> features_1{}, features_2{};
-  std::int32_t size = 0;  ///< Of these points; 0 if the sets were separated by more than the limit.
+  /// Number of these points, up to kMostFeatures; 0 if the sets were separated by more than the limit.
+  std::int32_t size = 0;
 
   /// @pre There is room.
   void Add(FeatureId feature_1, FeatureId feature_2) {

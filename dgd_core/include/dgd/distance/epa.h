@@ -30,7 +30,7 @@ class EpaPolytope {
   struct Face {
     Vector3<S> normal;                    ///< Outward, unit length; zero for a sliver.
     S distance;                           ///< Of its plane to the origin, metres; infinite for a sliver.
-    S slack;                              ///< By how much roundoff may tilt it at the set's other end; as above.
+    S slack;                              ///< Roundoff of its height at the set's other end, metres; infinite for a sliver.
     std::array<std::uint8_t, 3> corners;  ///< Counterclockwise seen from outside.
 
     S Height(const Vector3<S>& point) const { return normal.dot(point) - distance; }
@@ -106,7 +106,7 @@ class EpaPolytope {
     S least = std::numeric_limits<S>::infinity();
     std::for_each(faces_.begin(), End(), [&](const Face& face) {
       if (face.HasBelow(target)) return;
-      std::array<Feature, 3> corners{points_[face.corners[0]], points_[face.corners[1]], points_[face.corners[2]]};
+      std::array<Feature, 3> corners = CornersOf(face);
       for (Feature& corner : corners) corner.point -= target;
       const GjkSimplex<S> triangle(corners, 3);
       const S distance_sq = triangle.Nearest().squaredNorm();
