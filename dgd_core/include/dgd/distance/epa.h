@@ -30,7 +30,7 @@ class EpaPolytope {
   struct Face {
     Vector3<S> normal;                    ///< Outward, unit length; zero for a sliver.
     S distance;                           ///< Of its plane to the origin, metres; infinite for a sliver.
-    S slack;                              ///< Roundoff of its height at the set's other end, metres; infinite for a sliver.
+    S slack;                              ///< Of heights over it, by roundoff; metres, infinite for a sliver.
     std::array<std::uint8_t, 3> corners;  ///< Counterclockwise seen from outside.
 
     S Height(const Vector3<S>& point) const { return normal.dot(point) - distance; }
