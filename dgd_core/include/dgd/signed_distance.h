@@ -85,9 +85,8 @@ SignedDistanceResult<typename Search::S> FoundBy(const Search& search, Status st
 /// @param warm_start  Of the same call, or nullptr; its basis saves evaluations, of curved cores up to half.
 /// @param settings    relative_tolerance is of the sets' size, for curved cores: polytopes end at roundoff error.
 ///                    max_iterations bounds the evaluations.
-/// @param follow      Out: where UpdateDistance() goes on from, if the result is optimal and, of curved cores, these
-/// are
-///                    apart. Not from exact contact, nor from exactly coincident boxes: there it fails.
+/// @param follow      Out: where UpdateDistance() goes on from, if the result is optimal; curved cores must be apart.
+///                    Not from exact contact, nor from exactly coincident boxes: there it fails.
 /// Allocates nothing and does not throw. Method: distance/signed_distance_search.h.
 template <class Set1, class Set2>
 SignedDistanceResult<typename Set1::Scalar> SignedDistance(const Set1& set_1, const PoseOf<Set1>& pose_1,
