@@ -1,11 +1,12 @@
 # shellcheck shell=sh
-# What demos/run.sh, demos/report.sh and tests/run.sh share: installing what is missing, configuring, building. Sourced
-# by them; they set `root`, the project's folder, first.
+# What demos/run.sh, tests/run.sh and other scripts share: installing what is missing, configuring, building. Sourced by
+# them; they set `root`, the project's folder, first, and may set another preset and build folder afterwards.
 # shellcheck disable=SC2034,SC2154 # lists of packages are for them, root from them
 
 build_packages='build-essential cmake ninja-build pkg-config libbullet-dev libeigen3-dev libqhull-dev libassimp-dev
   libosmesa6-dev libpng-dev nlohmann-json3-dev libcli11-dev'
 test_packages='libgtest-dev libglpk-dev libfcl-dev libompl-dev doxygen'
+preset=release
 build_dir=${DGD_BUILD_DIR:-$root/build/release}
 
 # A root shell made by plain `su` does not have these, and dpkg needs them.
@@ -47,13 +48,13 @@ install_packages() {
   rm -f "$log"
 }
 
-# Configures the release build, with further options of CMake's. Only warnings and errors are shown.
+# Configures the preset's build, with further options of CMake's. Only warnings and errors are shown.
 configure() {
   if command -v ninja >/dev/null; then
     # Only for a build folder that is new: an existing one keeps its generator.
     export CMAKE_GENERATOR="${CMAKE_GENERATOR:-Ninja}"
   fi
-  cmake -S "$root" --preset release "$@" >/dev/null
+  cmake -S "$root" --preset "$preset" "$@" >/dev/null
 }
 
 # Builds the named targets; all of them if none is named.

@@ -49,10 +49,9 @@ install_packages $build_packages libgtest-dev libglpk-dev libfcl-dev doxygen cla
 build_dir=$root/build/$preset
 if [ ! -e "$build_dir/CMakeCache.txt" ]; then
   export CXX="${CXX:-clang++-14}" CC="${CC:-clang-14}"
-  ! command -v ninja >/dev/null || export CMAKE_GENERATOR="${CMAKE_GENERATOR:-Ninja}"
 fi
 # shellcheck disable=SC2086 # lists of words
-cmake -S "$root" --preset "$preset" -DDGD_BUILD_TESTS=ON $options ${CI:+-DDGD_WERROR=ON} >/dev/null
+configure -DDGD_BUILD_TESTS=ON $options ${CI:+-DDGD_WERROR=ON}
 # shellcheck disable=SC2086 # a list of words
 build $targets
 exec ctest --test-dir "$build_dir" --output-on-failure --no-tests=error --parallel "$(nproc)" --tests-regex "$tests" "$@"

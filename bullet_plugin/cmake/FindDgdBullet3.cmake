@@ -14,6 +14,9 @@
 #   dgd_bullet3::dynamics_float    the above and BulletDynamics, for programs
 #   dgd_bullet3::dynamics_float64
 #
+# A Bullet that was built with threads (BULLET2_MULTITHREADING) defines BT_THREADSAFE as well: parts of its locks are in
+# its headers.
+#
 # Components: float and float64; without any, one of them is enough. Sets DgdBullet3_VERSION, and for each precision
 # DgdBullet3_<precision>_FOUND, _PREFIX and _SUFFIX, the last one that of its libraries' names.
 include(FindPackageHandleStandardArgs)
@@ -32,13 +35,16 @@ endfunction()
 
 # The libraries are files or targets. Bullet's static ones do not list what they link, so that the linker scans them until
 # nothing is missing.
-function(_dgd_bullet3_add_targets precision include_dir collision linear_math dynamics)
+function(_dgd_bullet3_add_targets precision threadsafe include_dir collision linear_math dynamics)
   add_library(dgd_bullet3::${precision} INTERFACE IMPORTED)
   target_include_directories(dgd_bullet3::${precision} INTERFACE "${include_dir}")
   target_link_libraries(
     dgd_bullet3::${precision} INTERFACE "$<LINK_GROUP:RESCAN,${collision},${linear_math}>")
   if(precision STREQUAL "float64")
     target_compile_definitions(dgd_bullet3::${precision} INTERFACE BT_USE_DOUBLE_PRECISION)
+  endif()
+  if(threadsafe)
+    target_compile_definitions(dgd_bullet3::${precision} INTERFACE BT_THREADSAFE=1)
   endif()
   add_library(dgd_bullet3::dynamics_${precision} INTERFACE IMPORTED)
   target_link_libraries(
@@ -58,6 +64,12 @@ function(_dgd_bullet3_read_precision library result)
   set(${result} "${precision}" PARENT_SCOPE)
 endfunction()
 
+# Whether a library of Bullet's LinearMath has threads, by a class that it has only then.
+function(_dgd_bullet3_read_threadsafe library result)
+  file(STRINGS "${library}" symbol REGEX "btThreadSupportInterface" LIMIT_COUNT 1)
+  set(${result} "${symbol}" PARENT_SCOPE)
+endfunction()
+
 # A Bullet of the same build.
 macro(_dgd_bullet3_use_targets)
   get_target_property(_dgd_bullet3_source BulletCollision SOURCE_DIR)
@@ -67,13 +79,16 @@ macro(_dgd_bullet3_use_targets)
   if("BT_USE_DOUBLE_PRECISION" IN_LIST _dgd_bullet3_flags)
     set(_dgd_bullet3_precision float64)
   endif()
+  set(_dgd_bullet3_threadsafe "${_dgd_bullet3_flags}")
+  list(FILTER _dgd_bullet3_threadsafe INCLUDE REGEX "^BT_THREADSAFE=1$")
   _dgd_bullet3_read_version("${_dgd_bullet3_include}" DgdBullet3_VERSION)
   set(DgdBullet3_${_dgd_bullet3_precision}_FOUND TRUE)
   set(DgdBullet3_${_dgd_bullet3_precision}_PREFIX "${_dgd_bullet3_include}")
   set(DgdBullet3_${_dgd_bullet3_precision}_SUFFIX "")
   if(NOT TARGET dgd_bullet3::${_dgd_bullet3_precision})
     _dgd_bullet3_add_targets(
-      ${_dgd_bullet3_precision} "${_dgd_bullet3_include}" BulletCollision LinearMath BulletDynamics)
+      ${_dgd_bullet3_precision} "${_dgd_bullet3_threadsafe}" "${_dgd_bullet3_include}" BulletCollision LinearMath
+      BulletDynamics)
   endif()
 endmacro()
 
@@ -101,10 +116,11 @@ macro(_dgd_bullet3_look_in)
           set(DgdBullet3_${_dgd_bullet3_precision}_FOUND TRUE)
           set(DgdBullet3_${_dgd_bullet3_precision}_PREFIX "${_dgd_bullet3_prefix}")
           set(DgdBullet3_${_dgd_bullet3_precision}_SUFFIX "${_dgd_bullet3_suffix}")
+          _dgd_bullet3_read_threadsafe("${_dgd_bullet3_LinearMath}" _dgd_bullet3_threadsafe)
           if(NOT TARGET dgd_bullet3::${_dgd_bullet3_precision})
             _dgd_bullet3_add_targets(
-              ${_dgd_bullet3_precision} "${_dgd_bullet3_include}" "${_dgd_bullet3_BulletCollision}"
-              "${_dgd_bullet3_LinearMath}" "${_dgd_bullet3_BulletDynamics}")
+              ${_dgd_bullet3_precision} "${_dgd_bullet3_threadsafe}" "${_dgd_bullet3_include}"
+              "${_dgd_bullet3_BulletCollision}" "${_dgd_bullet3_LinearMath}" "${_dgd_bullet3_BulletDynamics}")
           endif()
         endif()
       endif()

@@ -46,13 +46,13 @@ fetch_bullet() {
   }
 }
 
-install_bullet() { # PRECISION
-  double=OFF
-  [ "$1" = float ] || double=ON
-  cmake -S "$bullet" -B "$work/bullet_$1" -DCMAKE_BUILD_TYPE=Release "-DUSE_DOUBLE_PRECISION=$double" \
-    "-DCMAKE_INSTALL_PREFIX=$work/prefix_$1" -DINSTALL_LIBS=ON -DBUILD_SHARED_LIBS=ON -DBUILD_BULLET2_DEMOS=OFF \
+install_bullet() { # NAME OPTION...
+  name=$1
+  shift
+  cmake -S "$bullet" -B "$work/bullet_$name" -DCMAKE_BUILD_TYPE=Release "$@" \
+    "-DCMAKE_INSTALL_PREFIX=$work/prefix_$name" -DINSTALL_LIBS=ON -DBUILD_SHARED_LIBS=ON -DBUILD_BULLET2_DEMOS=OFF \
     -DBUILD_BULLET3=OFF -DBUILD_CPU_DEMOS=OFF -DBUILD_EXTRAS=OFF -DBUILD_OPENGL3_DEMOS=OFF -DBUILD_PYBULLET=OFF \
-    -DBUILD_UNIT_TESTS=OFF -DUSE_GLUT=OFF && cmake --build "$work/bullet_$1" --target install
+    -DBUILD_UNIT_TESTS=OFF -DUSE_GLUT=OFF && cmake --build "$work/bullet_$name" --target install
 }
 
 # An app against the installed package, which was built against the Bullet in a prefix; Debian's if that is empty.
@@ -62,7 +62,8 @@ build_by_package() { # NAME PRECISION COMPILER BULLET_ROOT
     cmake --build "$work/$1/plugin" --target install &&
     cmake -S "$source/tests/package/consumer" -B "$work/$1/app" "-DCMAKE_CXX_COMPILER=$3" -DCMAKE_BUILD_TYPE=Release \
       "-DCMAKE_PREFIX_PATH=$work/$1/installed" "-DPRECISION=$2" &&
-    cmake --build "$work/$1/app" && "$work/$1/app/falling_box"
+    cmake --build "$work/$1/app" && "$work/$1/app/falling_box" &&
+    { [ ! -e "$work/$1/app/many_threads" ] || "$work/$1/app/many_threads"; }
 }
 
 build_in_tree() { # NAME PRECISION COMPILER
@@ -96,17 +97,19 @@ row() { # WAY PRECISION COMPILER [BULLET_ROOT]
 fetch_bullet
 bullet=$(find "$work/source" -mindepth 1 -maxdepth 1 -type d)
 printf '%-12s %-8s %-11s %7s  %s\n' Bullet precision compiler time 'what the app prints'
-for precision in float float64; do
-  install_bullet "$precision" >"$work/bullet_$precision.log" 2>&1 || {
-    tail -n 20 "$work/bullet_$precision.log" >&2
-    exit 1
-  }
-done
+{
+  install_bullet float && install_bullet float64 -DUSE_DOUBLE_PRECISION=ON &&
+    install_bullet threads -DBULLET2_MULTITHREADING=ON
+} >"$work/bullet.log" 2>&1 || {
+  tail -n 20 "$work/bullet.log" >&2
+  exit 1
+}
 for compiler in $COMPILERS; do
   for precision in float float64; do
     row "Debian's" "$precision" "$compiler" ''
     row 'a prefix' "$precision" "$compiler" "$work/prefix_$precision"
     row 'in the build' "$precision" "$compiler"
   done
+  row 'threads' float "$compiler" "$work/prefix_threads"
 done
 exit "$status"

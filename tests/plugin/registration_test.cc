@@ -1,4 +1,5 @@
 // Which pairs of types the narrowphase takes, in both of the dispatcher's tables, and which stay as they were.
+#include <BulletCollision/CollisionDispatch/btEmptyCollisionAlgorithm.h>
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
 #include <gtest/gtest.h>
@@ -153,6 +154,23 @@ TEST(Registration, Register_KeepsGImpactsRowsWhicheverComesFirst) {
   }
   EXPECT_NE(ours, gimpact);
   EXPECT_EQ(gimpact_first.Contact(TRIANGLE_SHAPE_PROXYTYPE, CONVEX_HULL_SHAPE_PROXYTYPE), ours);
+}
+
+// An engine with an algorithm of its own for two types keeps it by registering it after ours, as Bullet has it.
+TEST(Registration, LastRegistered_IsUsed) {
+  btDefaultCollisionConfiguration configuration;
+  OpenDispatcher dispatcher(&configuration);
+  btEmptyAlgorithm::CreateFunc own;
+  dispatcher.registerCollisionCreateFunc(SPHERE_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE, &own);
+  dispatcher.registerClosestPointsCreateFunc(SPHERE_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE, &own);
+  dgd_bullet::Register(dispatcher);
+  EXPECT_NE(dispatcher.Contact(SPHERE_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE), &own);
+  EXPECT_NE(dispatcher.Closest(SPHERE_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE), &own);
+  dispatcher.registerCollisionCreateFunc(SPHERE_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE, &own);
+  dispatcher.registerClosestPointsCreateFunc(SPHERE_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE, &own);
+  EXPECT_EQ(dispatcher.Contact(SPHERE_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE), &own);
+  EXPECT_EQ(dispatcher.Closest(SPHERE_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE), &own);
+  EXPECT_NE(dispatcher.Contact(BOX_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE), &own);
 }
 
 // An app may call Bullet's setters on any configuration that derives from Bullet's; they write into its members.
