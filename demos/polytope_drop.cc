@@ -46,7 +46,7 @@ ExitStatus Run(const Options& options) {
   std::vector<TableColumn> columns;
   for (const Narrowphase narrowphase : options.narrowphases) {
     runs.push_back({narrowphase, RunAndRecord(scene, bodies, narrowphase, options)});
-    columns.push_back({std::string(NameOf(narrowphase)), {runs.back().run.summary}});
+    columns.push_back({std::string(NameOf(narrowphase)), {FiguresOf(runs.back().run.summary)}});
   }
   if (options.draw_snapshots) WritePictures(scene, bodies, options.seed, runs, options.out);
 

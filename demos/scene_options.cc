@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "scene/scene_error.h"
-#include "scene/scene_file.h"
 
 namespace dgd_demos {
 namespace {
@@ -34,8 +33,9 @@ void AddOracleEveryOption(CommandLine& line, int& oracle_every) {
                  "Steps from one computation of the true penetration to the next");
 }
 
-Scene LoadSceneFor(const std::filesystem::path& file, const std::optional<double>& duration) {
-  Scene scene = LoadScene(file);
+Scene LoadSceneFor(const std::filesystem::path& file, const std::optional<double>& duration,
+                   const SceneChanges& changes) {
+  Scene scene = LoadScene(file, changes);
   if (!duration) return scene;
   const bool in_range = *duration >= scene.time_step && *duration <= kMaxDuration;  // False for NaN.
   if (!in_range) {

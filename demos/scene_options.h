@@ -7,7 +7,7 @@
 #include <string>
 
 #include "command_line.h"
-#include "scene/scene.h"
+#include "scene/scene_file.h"
 
 namespace dgd_demos {
 
@@ -21,8 +21,9 @@ void AddDurationOption(CommandLine& line, std::optional<double>& duration);
 /// Adds --oracle-every.
 void AddOracleEveryOption(CommandLine& line, int& oracle_every);
 
-/// The scene of the file, with the duration asked for, if any, in place of its own.
+/// The scene of the file, with the changes and the duration asked for, if any, in place of its own.
 /// @throws SceneError about the file, or about a duration that it cannot have.
-Scene LoadSceneFor(const std::filesystem::path& file, const std::optional<double>& duration);
+Scene LoadSceneFor(const std::filesystem::path& file, const std::optional<double>& duration,
+                   const SceneChanges& changes = {});
 
 }  // namespace dgd_demos

@@ -69,7 +69,7 @@ set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "libdgd-bullet0.1 (= ${version})")
 set(CPACK_COMPONENT_TOOLS_DESCRIPTION
     "growth distance as the narrowphase of Bullet - programs and scenes
 dgd-bullet-run runs a program that uses Bullet's shared libraries on the
-growth distance without rebuilding it; polytope_drop and contact_report let
+growth distance without rebuilding it; polytope_drop and headless_sim let
 scenes fall on Bullet's own narrowphase and on this one, and compare them.")
 
 file(READ LICENSE text)

@@ -13,9 +13,9 @@
 #include <unordered_map>
 
 #include "audit.h"
+#include "dgd_bullet/option_text.h"
 #include "dgd_bullet/register.h"
 #include "environment.h"
-#include "option_text.h"
 #include "total_statistics.h"
 
 namespace dgd_preload {
@@ -84,7 +84,7 @@ btCollisionAlgorithmCreateFunc* OurCreateFunc(const void* configuration, Table t
 /// Throws std::exception with the reason why there are none.
 void MakeNarrowphases() {
   const char* text = std::getenv(kOptions);
-  dgd_bullet::Options options = ParseOptions(text != nullptr ? text : "");
+  dgd_bullet::Options options = dgd_bullet::ParseOptions(text != nullptr ? text : "");
   options.count_pairs = IsOn(kStatistics);
   g_narrowphases = new Narrowphases(options);
   if (options.count_pairs) std::atexit(PrintStatistics);

@@ -4,15 +4,15 @@
 #include <cstdlib>
 #include <exception>
 
+#include "dgd_bullet/option_text.h"
 #include "dgd_bullet/register.h"
 #include "environment.h"
-#include "option_text.h"
 
 int main() {
   const char* text = std::getenv(dgd_preload::kOptions);
   if (text == nullptr) return 0;
   try {
-    dgd_bullet::MakeNarrowphase(dgd_preload::ParseOptions(text));
+    dgd_bullet::MakeNarrowphase(dgd_bullet::ParseOptions(text));
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "dgd-bullet-run: %s\n", error.what());

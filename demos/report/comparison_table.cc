@@ -6,7 +6,6 @@
 #include <cstdio>
 
 #include "report/csv_file.h"
-#include "report/figures.h"
 
 namespace dgd_demos {
 namespace {
@@ -38,22 +37,29 @@ std::string Left(std::string text) {
   return text;
 }
 
+bool HasSpread(const std::vector<TableColumn>& columns) {
+  return std::ranges::any_of(columns, [](const TableColumn& column) { return column.runs.size() > 1; });
+}
+
 std::string HeaderLine(const std::vector<TableColumn>& columns) {
   std::string line = Left("");
   for (std::size_t c = 0; c < columns.size(); ++c) {
     line += Right(columns[c].narrowphase);
+    if (HasSpread(columns)) line += Right("IQR");
     if (c > 0) line += Right("ratio");
   }
   return line + '\n';
 }
 
-std::string FigureLine(const Figure& figure, const std::vector<TableColumn>& columns) {
+std::string FigureLine(std::size_t index, const std::vector<TableColumn>& columns) {
+  const Figure& figure = Figures()[index];
   std::string line = Left(figure.title);
-  const double first = FigureOf(figure, columns.front().runs);
+  const double first = FigureOf(index, columns.front().runs).value;
   for (std::size_t c = 0; c < columns.size(); ++c) {
-    const double value = FigureOf(figure, columns[c].runs);
-    line += Right(Format(figure.format, value / figure.unit));
-    if (c > 0) line += Right(Ratio(value, first));
+    const FigureOverRuns figures = FigureOf(index, columns[c].runs);
+    line += Right(Format(figure.format, figures.value / figure.unit));
+    if (HasSpread(columns)) line += Right(Format(figure.format, figures.interquartile_range / figure.unit));
+    if (c > 0) line += Right(Ratio(figures.value, first));
   }
   return line + '\n';
 }
@@ -62,7 +68,7 @@ std::string FigureLine(const Figure& figure, const std::vector<TableColumn>& col
 
 std::string FormatTable(const std::vector<TableColumn>& columns) {
   std::string table = HeaderLine(columns);
-  for (const Figure& figure : Figures()) table += FigureLine(figure, columns);
+  for (std::size_t i = 0; i < Figures().size(); ++i) table += FigureLine(i, columns);
   return table;
 }
 
@@ -71,9 +77,9 @@ void WriteTableCsv(const std::filesystem::path& file, const std::vector<TableCol
   csv.stream() << "figure";
   for (const TableColumn& column : columns) csv.stream() << ',' << column.narrowphase;
   csv.stream() << '\n';
-  for (const Figure& figure : Figures()) {
-    csv.stream() << figure.key;
-    for (const TableColumn& column : columns) csv.stream() << ',' << FigureOf(figure, column.runs);
+  for (std::size_t i = 0; i < Figures().size(); ++i) {
+    csv.stream() << Figures()[i].key;
+    for (const TableColumn& column : columns) csv.stream() << ',' << FigureOf(i, column.runs).value;
     csv.stream() << '\n';
   }
   csv.Flush();

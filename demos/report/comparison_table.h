@@ -1,21 +1,22 @@
-// The table at the end: a row a figure with its unit, a column a narrowphase, and their ratio where several ran.
+// The table at the end: a row a figure with its unit, a column a narrowphase, its spread over several runs, and the
+// ratio to the first narrowphase.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "simulation/run_summary.h"
+#include "report/figures.h"
 
 namespace dgd_demos {
 
 struct TableColumn {
   std::string narrowphase;
-  std::vector<RunSummary> runs;  ///< Of one scene: a run a seed, at least one.
+  std::vector<FigureValues> runs;  ///< Of one scene: a run a seed, at least one.
 };
 
-/// The rows aligned for reading; "-" where a run has no such figure. Each column after the first is followed by its
-/// quotient by the first.
+/// The rows aligned for reading; "-" where a run has no such figure. With several runs, medians are followed by their
+/// interquartile range (IQR); each column after the first, by its quotient by the first.
 std::string FormatTable(const std::vector<TableColumn>& columns);
 
 /// The same figures for programs: one line a row, 17 significant digits, and the key of each row in place of its title.

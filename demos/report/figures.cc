@@ -50,25 +50,35 @@ constexpr std::array kFigures = {
     Figure{"wall time of the steps (s)", "wall_time_s", "%.2f", 1, [](const RunSummary& run) { return run.wall_time; }},
 };
 
-// NaN if there are none.
-double Median(std::vector<double> values) {
-  if (values.empty()) return kNone;
-  std::ranges::sort(values);
-  const std::size_t middle = values.size() / 2;
-  if (values.size() % 2 == 1) return values[middle];
-  return std::midpoint(values[middle - 1], values[middle]);
+// The value below which a share of them lies; between two neighbours, in proportion.
+double Quantile(const std::vector<double>& sorted, double share) {
+  const double place = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const double rest = place - static_cast<double>(below);
+  // Not by lerp where there is nothing in between: infinite neighbours have no difference.
+  return rest == 0 ? sorted[below] : std::lerp(sorted[below], sorted[below + 1], rest);
 }
 
 }  // namespace
 
 std::span<const Figure> Figures() { return kFigures; }
 
-double FigureOf(const Figure& figure, std::span<const RunSummary> runs) {
+FigureValues FiguresOf(const RunSummary& run) {
+  FigureValues values;
+  for (const Figure& figure : kFigures) values.push_back(figure.of(run));
+  return values;
+}
+
+FigureOverRuns FigureOf(std::size_t figure, std::span<const FigureValues> runs) {
   std::vector<double> values;
-  for (const RunSummary& run : runs) values.push_back(figure.of(run));
-  if (figure.over == Figure::Over::kSum) return std::accumulate(values.begin(), values.end(), 0.0);
+  for (const FigureValues& run : runs) values.push_back(run[figure]);
+  if (kFigures[figure].over == Figure::Over::kSum) {
+    return {std::accumulate(values.begin(), values.end(), 0.0), kNone};
+  }
   std::erase_if(values, [](double value) { return std::isnan(value); });
-  return Median(values);
+  if (values.empty()) return {kNone, kNone};
+  std::ranges::sort(values);
+  return {Quantile(values, 0.5), values.size() < 2 ? kNone : Quantile(values, 0.75) - Quantile(values, 0.25)};
 }
 
 }  // namespace dgd_demos

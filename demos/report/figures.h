@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "simulation/run_summary.h"
 
@@ -22,9 +23,20 @@ struct Figure {
 /// All of them, in the order in which they are shown.
 std::span<const Figure> Figures();
 
-/// Of all runs together, in the key's unit. Runs without the figure (NaN) are left out of the median; it is NaN if none
-/// has it. Of an even number of runs, it is the mean of the two in the middle.
+/// Those of one run, in the order of Figures() and the keys' units: NaN for what it does not have, infinity for a time
+/// that never came.
+using FigureValues = std::vector<double>;
+FigureValues FiguresOf(const RunSummary& run);
+
+/// Of several runs. Those without the figure (NaN) are left out of median and range.
+struct FigureOverRuns {
+  double value;  ///< Their median (of an even number, the mean of the two in the middle) or sum; NaN if none has it.
+  double interquartile_range;  ///< By linear interpolation; NaN of a sum, and of fewer than two.
+};
+
+/// Of all runs together, in the key's unit.
+/// @param figure  its place in Figures().
 /// @pre runs is not empty.
-double FigureOf(const Figure& figure, std::span<const RunSummary> runs);
+FigureOverRuns FigureOf(std::size_t figure, std::span<const FigureValues> runs);
 
 }  // namespace dgd_demos

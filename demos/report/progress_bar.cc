@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -11,6 +12,20 @@ namespace {
 
 constexpr int kWidth = 40;  // Characters.
 constexpr std::chrono::milliseconds kPeriod{100};
+
+// "1:05:30", "5:30"; nothing while it is anybody's guess.
+std::string TimeLeft(double elapsed, double share) {
+  constexpr double kLeastShare = 0.01, kLeastElapsed = 2;  // s
+  if (share < kLeastShare || elapsed < kLeastElapsed) return "";
+  const long seconds = std::lround(elapsed * (1 - share) / share);
+  char text[32];
+  if (seconds < 3600) {
+    std::snprintf(text, sizeof text, ", %ld:%02ld left", seconds / 60, seconds % 60);
+  } else {
+    std::snprintf(text, sizeof text, ", %ld:%02ld:%02ld left", seconds / 3600, seconds / 60 % 60, seconds % 60);
+  }
+  return text;
+}
 
 }  // namespace
 
@@ -31,7 +46,9 @@ void ProgressBar::Update(double value) {
   const double share = std::clamp(value / end_, 0.0, 1.0);
   const int filled = static_cast<int>(share * kWidth);
   const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
-  std::fprintf(stderr, "\r%s [%s] %3.0f %%", label_.c_str(), bar.c_str(), 100 * share);
+  const double elapsed = std::chrono::duration<double>(now - begin_).count();
+  std::fprintf(stderr, "\r%s [%s] %3.0f %%%s\x1b[K", label_.c_str(), bar.c_str(), 100 * share,
+               TimeLeft(elapsed, share).c_str());
   std::fflush(stderr);
 }
 

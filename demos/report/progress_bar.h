@@ -15,14 +15,15 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// @param value  from 0 to the end; draws at most a few times a second.
+  /// Draws the bar and an estimate of the time left, at most a few times a second.
+  /// @param value  from 0 to the end.
   void Update(double value);
 
  private:
   std::string label_;
   double end_;
   bool is_terminal_;
-  std::chrono::steady_clock::time_point last_drawn_{};
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now(), last_drawn_{};
 };
 
 }  // namespace dgd_demos

@@ -127,10 +127,31 @@ std::vector<double> ReadSnapshots(const JsonReader& times, double duration) {
   return snapshots;
 }
 
+// A value may be new where its object is there; elsewhere it must have been there before.
+void Change(nlohmann::json& document, const std::string& path, const nlohmann::json& value, const std::string& file) {
+  using Pointer = nlohmann::json::json_pointer;
+  const auto fail = [&](const char* what) {
+    throw SceneError(file + ": " + path + ": " + what + ", and cannot be changed to " + value.dump());
+  };
+  Pointer pointer;
+  try {
+    pointer = Pointer(path);
+  } catch (const nlohmann::json::exception&) {
+    fail("is no JSON path, as /bodies/0/friction is");
+  }
+  if (pointer.empty()) fail("is the whole scene");
+  const bool is_new = !document.contains(pointer);
+  if (is_new && !(document.contains(pointer.parent_pointer()) && document.at(pointer.parent_pointer()).is_object())) {
+    fail("is not in the scene");
+  }
+  document[pointer] = value;
+}
+
 }  // namespace
 
-Scene LoadScene(const std::filesystem::path& file) {
-  const nlohmann::json document = ParseJsonFile(file);
+Scene LoadScene(const std::filesystem::path& file, const SceneChanges& changes) {
+  nlohmann::json document = ParseJsonFile(file);
+  for (const auto& [path, value] : changes) Change(document, path, value, file.string());
   Scene scene;
   scene.file = file.string();
   const JsonReader root(scene.file, document);

@@ -17,7 +17,7 @@ using Clock = std::chrono::steady_clock;
 // Takes a step, and has the oracle judge what the step's collision detection was given.
 class Stepper {
  public:
-  Stepper(const Scene& scene, const std::vector<Body>& bodies, Narrowphase narrowphase, int oracle_every)
+  Stepper(const Scene& scene, const std::vector<Body>& bodies, const NarrowphaseChoice& narrowphase, int oracle_every)
       : world_(scene, bodies, narrowphase), oracle_(bodies), time_step_(scene.time_step), oracle_every_(oracle_every) {}
 
   World& world() { return world_; }
@@ -51,8 +51,9 @@ class Stepper {
 
 int StepCount(const Scene& scene) { return static_cast<int>(std::lround(scene.duration / scene.time_step)); }
 
-DropRun RunDrop(const Scene& scene, const std::vector<Body>& bodies, Narrowphase narrowphase, int oracle_every,
-                const std::function<void(const StepRecord&)>& on_step, dgd_bullet::Recorder* recorder) {
+DropRun RunDrop(const Scene& scene, const std::vector<Body>& bodies, const NarrowphaseChoice& narrowphase,
+                int oracle_every, const std::function<void(const StepRecord&)>& on_step,
+                dgd_bullet::Recorder* recorder) {
   Stepper stepper(scene, bodies, narrowphase, oracle_every);
   World& world = stepper.world();
   if (recorder != nullptr) world.RecordInto(*recorder);

@@ -28,8 +28,9 @@ struct DropRun {
 /// @param oracle_every  ask the oracle at every so-many-th step, >= 1.
 /// @param on_step       called after each step.
 /// @param recorder      gets what the narrowphase is asked, or null.
-DropRun RunDrop(const Scene& scene, const std::vector<Body>& bodies, Narrowphase narrowphase, int oracle_every,
-                const std::function<void(const StepRecord&)>& on_step, dgd_bullet::Recorder* recorder = nullptr);
+DropRun RunDrop(const Scene& scene, const std::vector<Body>& bodies, const NarrowphaseChoice& narrowphase,
+                int oracle_every, const std::function<void(const StepRecord&)>& on_step,
+                dgd_bullet::Recorder* recorder = nullptr);
 
 /// Number of steps that a scene takes.
 int StepCount(const Scene& scene);

@@ -1,65 +1,36 @@
 #include "simulation/narrowphase.h"
 
 #include <dgd_bullet/collision_configuration.h>
+#include <dgd_bullet/option_text.h>
 
-#include <algorithm>
-#include <array>
-#include <optional>
+#include <stdexcept>
 #include <type_traits>
 
 namespace dgd_demos {
-namespace {
 
-struct Variant {
-  Narrowphase narrowphase;
-  std::string_view name;
-  std::optional<dgd_bullet::Options> options;  // None: Bullet's own.
-};
+std::string_view NameOf(Narrowphase narrowphase) { return narrowphase == Narrowphase::kBuiltin ? "builtin" : "dgd"; }
 
-constexpr dgd_bullet::Options kWithGrowthNormals = [] {
-  dgd_bullet::Options options;
-  options.normal_mode = dgd_bullet::NormalMode::kGrowth;
-  return options;
-}();
-
-constexpr dgd_bullet::Options kSharp = [] {
-  dgd_bullet::Options options;
-  options.geometry_mode = dgd_bullet::GeometryMode::kSharp;
-  return options;
-}();
-
-constexpr dgd_bullet::Options kLean = [] {
-  dgd_bullet::Options options;
-  options.keep_empty_manifolds = false;
-  return options;
-}();
-
-constexpr std::array kVariants = {
-    Variant{Narrowphase::kBuiltin, "builtin", std::nullopt},
-    Variant{Narrowphase::kDgd, "dgd", dgd_bullet::Options{}},
-    Variant{Narrowphase::kDgdGrowth, "dgd_growth", kWithGrowthNormals},
-    Variant{Narrowphase::kDgdSharp, "dgd_sharp", kSharp},
-    Variant{Narrowphase::kDgdLean, "dgd_lean", kLean},
-};
-
-const Variant& VariantOf(Narrowphase narrowphase) {
-  return *std::ranges::find(kVariants, narrowphase, &Variant::narrowphase);
+NarrowphaseChoice NarrowphaseChoice::Named(std::string_view name) {
+  if (name == "builtin") return Narrowphase::kBuiltin;
+  const std::size_t colon = name.find(':');
+  if (name.substr(0, colon) != "dgd") {
+    throw std::invalid_argument("there is no narrowphase '" + std::string(name) +
+                                "', but builtin, dgd, and dgd:OPTION=VALUE,...");
+  }
+  NarrowphaseChoice choice = Narrowphase::kDgd;
+  if (colon != name.npos) choice.options = name.substr(colon + 1);
+  MakeCollisionConfiguration(choice);
+  return choice;
 }
 
-}  // namespace
-
-std::vector<Narrowphase> AllNarrowphases() {
-  std::vector<Narrowphase> all;
-  for (const Variant& variant : kVariants) all.push_back(variant.narrowphase);
-  return all;
+std::string NarrowphaseChoice::Name() const {
+  const std::string name(NameOf(kind));
+  return options.empty() ? name : name + ":" + options;
 }
 
-std::string_view NameOf(Narrowphase narrowphase) { return VariantOf(narrowphase).name; }
-
-std::unique_ptr<btDefaultCollisionConfiguration> MakeCollisionConfiguration(Narrowphase narrowphase) {
-  const std::optional<dgd_bullet::Options>& options = VariantOf(narrowphase).options;
-  if (options) return std::make_unique<dgd_bullet::CollisionConfiguration>(*options);
-  return std::make_unique<btDefaultCollisionConfiguration>();
+std::unique_ptr<btDefaultCollisionConfiguration> MakeCollisionConfiguration(const NarrowphaseChoice& narrowphase) {
+  if (narrowphase.kind == Narrowphase::kBuiltin) return std::make_unique<btDefaultCollisionConfiguration>();
+  return std::make_unique<dgd_bullet::CollisionConfiguration>(dgd_bullet::ParseOptions(narrowphase.options));
 }
 
 std::uint64_t Fallbacks(const btCollisionConfiguration& configuration) {

@@ -3,31 +3,41 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <string_view>
-#include <vector>
+#include <utility>
 
 class btCollisionConfiguration;
 class btDefaultCollisionConfiguration;
 
 namespace dgd_demos {
 
-/// Each has its row in narrowphase.cc: name, and options of the plugin. A new variant is an enumerator and such a row.
 enum class Narrowphase {
-  kBuiltin,    ///< Bullet's GJK/EPA and its special pairs.
-  kDgd,        ///< The plugin with its default options.
-  kDgdGrowth,  ///< ... with the growth distance's own normals.
-  kDgdSharp,   ///< ... without margins.
-  kDgdLean,    ///< ... with manifolds for pairs that touch only.
+  kBuiltin,  ///< Bullet's GJK/EPA and its special pairs.
+  kDgd,      ///< The plugin.
 };
 
-/// All of them, in the order in which they are listed and compared.
-std::vector<Narrowphase> AllNarrowphases();
-
-/// As on the command line and in file names.
+/// As on the command line and in file names: "builtin" or "dgd".
 std::string_view NameOf(Narrowphase narrowphase);
 
-/// What differs between the two worlds, and nothing else does.
-std::unique_ptr<btDefaultCollisionConfiguration> MakeCollisionConfiguration(Narrowphase narrowphase);
+/// A narrowphase with options: "friction_anchors=off,patch_size=1" (dgd_bullet/option_text.h), which only the plugin
+/// has.
+struct NarrowphaseChoice {
+  NarrowphaseChoice(Narrowphase of_kind, std::string with_options = "")
+      : kind(of_kind), options(std::move(with_options)) {}
+
+  /// From what Name() returns: "builtin", "dgd", or "dgd:friction_anchors=off,patch_size=1".
+  /// @throws std::invalid_argument about a name that is none, or an option that is wrong.
+  static NarrowphaseChoice Named(std::string_view name);
+  std::string Name() const;
+
+  Narrowphase kind;
+  std::string options;
+};
+
+/// What differs between two worlds, and nothing else does.
+/// @throws std::invalid_argument about an option that is wrong.
+std::unique_ptr<btDefaultCollisionConfiguration> MakeCollisionConfiguration(const NarrowphaseChoice& narrowphase);
 
 /// Queries so far that the plugin handed back to the built-in; 0 for the built-in itself.
 std::uint64_t Fallbacks(const btCollisionConfiguration& configuration);

@@ -41,7 +41,7 @@ double KineticEnergy(const btRigidBody& body) {
 
 }  // namespace
 
-World::World(const Scene& scene, const std::vector<Body>& bodies, Narrowphase narrowphase)
+World::World(const Scene& scene, const std::vector<Body>& bodies, const NarrowphaseChoice& narrowphase)
     : configuration_(MakeCollisionConfiguration(narrowphase)),
       dispatcher_(configuration_.get()),
       world_(&dispatcher_, &broadphase_, &solver_, configuration_.get()),

@@ -22,7 +22,7 @@ namespace dgd_demos {
 class World {
  public:
   /// @param bodies  from MakeBodies(); the ground first.
-  World(const Scene& scene, const std::vector<Body>& bodies, Narrowphase narrowphase);
+  World(const Scene& scene, const std::vector<Body>& bodies, const NarrowphaseChoice& narrowphase);
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 

@@ -56,7 +56,7 @@ struct Options {
   double contact_distance = 0;
 
   /// The default is what Bullet's own narrowphase seeks: the depth that apps read is the least way out. In piles it
-  /// makes little difference (demos/contact_report, fifty polytopes, median of 20 seeds, float): with the growth
+  /// makes little difference (scenes/studies, fifty polytopes, median of 20 seeds, float): with the growth
   /// distance's normals bodies are 4 % less deep at worst, as deep at rest, come to rest 5 % later, and cost a tenth
   /// less time.
   NormalMode normal_mode = NormalMode::kLeastTranslation;

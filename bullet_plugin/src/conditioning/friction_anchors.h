@@ -144,8 +144,8 @@ class FrictionAnchors {
   }
 
   /// Largest slip as a part of the breaking threshold: a body that slips by more has slid. With this,
-  /// scenes/pyramid_28.json creeps by 1.3 mm in a minute, with a tenth of it by 25 mm (contact_report, float, contacts
-  /// not recycled).
+  /// scenes/pyramid_28.json creeps by 1.3 mm in a minute, with a tenth of it by 25 mm (headless_sim sweep, float,
+  /// contacts not recycled).
   static constexpr btScalar kMaxSlip = btScalar(0.01);
   /// How far the slip may differ from the velocities' displacement, as a part of that: a constant turn's arc differs by
   /// less.

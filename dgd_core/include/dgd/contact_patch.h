@@ -83,7 +83,7 @@ void Reduce(const CornerList<S>& corners, const PatchSettings<S>& settings, Corn
     if (corners[i].Separation() < corners[deepest].Separation()) deepest = i;
   }
   // Another corner brings other three. Much deeper ones must be chosen: with a tenth of the tolerance in the place of a
-  // hundredth, towers sway and piles creep (demos/contact_report).
+  // hundredth, towers sway and piles creep (scenes/studies/contacts.json).
   const S as_deep = corners[deepest].Separation() + settings.equal_depth / 100;
   // None is where the depth is not finite.
   int first = 0;

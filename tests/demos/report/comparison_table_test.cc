@@ -13,7 +13,7 @@
 namespace dgd_demos {
 namespace {
 
-RunSummary ExampleSummary(double scale) {
+RunSummary ExampleRun(double scale) {
   RunSummary summary;
   summary.steps = 10;
   summary.deepest_reported = 0.02 * scale;
@@ -29,6 +29,8 @@ RunSummary ExampleSummary(double scale) {
   summary.wall_time = 1.5;
   return summary;
 }
+
+FigureValues ExampleSummary(double scale) { return FiguresOf(ExampleRun(scale)); }
 
 // The row of the table that starts with `title`, its cells separated by single blanks.
 std::string CellsOf(const std::string& table, const std::string& title) {
@@ -74,18 +76,19 @@ TEST(ComparisonTableTest, ThreeColumns_EachLaterOneHasItsRatioToTheFirst) {
 }
 
 TEST(ComparisonTableTest, SeveralSeeds_MedianOfFiguresAndSumOfWhatShouldNotHappen) {
-  RunSummary odd = ExampleSummary(5);
+  RunSummary odd = ExampleRun(5);
   odd.fallbacks = 2;
   odd.lost_bodies = 1;
   odd.deepest_at_rest = 0.04;  // The others have no such figure.
-  const std::vector<RunSummary> runs = {odd, ExampleSummary(1), ExampleSummary(2)};
+  const std::vector<FigureValues> runs = {FiguresOf(odd), ExampleSummary(1), ExampleSummary(2)};
   const std::string table = FormatTable({{"dgd", runs}});
-  EXPECT_EQ(CellsOf(table, "deepest penetration, true (cm)"), "6.000");
-  EXPECT_EQ(CellsOf(table, "the deepest in the last second (cm)"), "4");
-  EXPECT_EQ(CellsOf(table, "fallbacks to GJK/EPA"), "2");
-  EXPECT_EQ(CellsOf(table, "bodies lost"), "1");
+  EXPECT_EQ(CellsOf(table, "deepest penetration, true (cm)"), "6.000 6.000")
+      << "3, 6 and 15 cm, half of them in 4.5 to 10.5";
+  EXPECT_EQ(CellsOf(table, "the deepest in the last second (cm)"), "4 -");
+  EXPECT_EQ(CellsOf(table, "fallbacks to GJK/EPA"), "2 -");
+  EXPECT_EQ(CellsOf(table, "bodies lost"), "1 -");
   EXPECT_EQ(CellsOf(FormatTable({{"dgd", {ExampleSummary(1), ExampleSummary(2)}}}), "deepest penetration, true (cm)"),
-            "4.500");
+            "4.500 1.500");
 }
 
 TEST(ComparisonTableTest, Csv_HasTheSameFiguresInSi) {

@@ -1,16 +1,13 @@
-#include "option_text.h"
+#include "dgd_bullet/option_text.h"
 
 #include <charconv>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 
-namespace dgd_preload {
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
 namespace {
-
-using dgd_bullet::GeometryMode;
-using dgd_bullet::NormalMode;
-using dgd_bullet::Options;
 
 template <bool Options::*kMember>
 bool SetSwitch(std::string_view value, Options& options) {
@@ -35,7 +32,7 @@ bool SetGeometryMode(std::string_view value, Options& options) {
 }
 
 bool SetOnFirstFallback(std::string_view value, Options& options) {
-  options.on_first_fallback = value == "on" ? dgd_bullet::PrintToStandardError : nullptr;
+  options.on_first_fallback = value == "on" ? PrintToStandardError : nullptr;
   return value == "on" || value == "off";
 }
 
@@ -96,4 +93,5 @@ Options ParseOptions(std::string_view text) {
   return options;
 }
 
-}  // namespace dgd_preload
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -1,0 +1,108 @@
+#include "sweep/study_folder.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <stdexcept>
+
+namespace dgd_demos {
+namespace {
+
+using nlohmann::json;
+
+std::string ReadWhole(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream) throw std::runtime_error(file.string() + ": cannot be read");
+  return text;
+}
+
+// FNV-1a: enough to notice that a file has changed.
+std::string Hash(const std::string& text) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
+  return digits;
+}
+
+// The study, and what its worlds were when it began.
+json IdentityOf(const Study& study) {
+  json worlds = json::object();
+  for (const RunSpec& run : study.runs) {
+    if (!worlds.contains(run.world)) worlds[run.world] = Hash(ReadWhole(run.file));
+  }
+  return {{"study", study.document}, {"worlds", worlds}, {"runs", study.runs.size()}};
+}
+
+}  // namespace
+
+void WriteWhole(const std::filesystem::path& file, const std::string& text) {
+  // Shards of a study may write the same file at once.
+  char host[256] = {};
+  gethostname(host, sizeof host - 1);
+  const std::string part = file.string() + "." + host + "." + std::to_string(getpid()) + ".part";
+  const auto fail = [&] {
+    const std::string reason = std::strerror(errno);
+    std::remove(part.c_str());
+    throw std::runtime_error(file.string() + ": cannot be written: " + reason);
+  };
+  std::FILE* stream = std::fopen(part.c_str(), "wb");
+  if (stream == nullptr) fail();
+  const bool is_written = std::fwrite(text.data(), 1, text.size(), stream) == text.size() && std::fflush(stream) == 0 &&
+                          fsync(fileno(stream)) == 0;
+  const bool is_closed = std::fclose(stream) == 0;
+  if (!is_written || !is_closed || std::rename(part.c_str(), file.c_str()) != 0) fail();
+}
+
+StudyFolder::StudyFolder(const std::filesystem::path& folder, const Study& study) : folder_(folder) {
+  std::filesystem::create_directories(folder_ / "runs");
+  const std::filesystem::path file = folder_ / "study.json";
+  const json identity = IdentityOf(study);
+  if (!std::filesystem::exists(file)) {
+    WriteWhole(file, identity.dump(2) + "\n");
+    return;
+  }
+  const json there = json::parse(ReadWhole(file), nullptr, /*allow_exceptions=*/false);
+  if (there == identity) return;
+  const bool same_study = there.is_object() && there.value("study", json()) == study.document;
+  throw std::runtime_error(folder_.string() + ": has runs of " +
+                           (same_study ? "this study with worlds that have changed since" : "another study") +
+                           "; choose another folder, or remove this one");
+}
+
+std::filesystem::path StudyFolder::FileOf(int number) const {
+  char name[32];
+  std::snprintf(name, sizeof name, "%06d.json", number);
+  return folder_ / "runs" / name;
+}
+
+std::map<int, RunRecord> StudyFolder::ReadRecords() const {
+  std::map<int, RunRecord> records;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "runs")) {
+    if (entry.path().extension() != ".json") continue;  // Of a process that died while it wrote.
+    try {
+      const RunRecord record = ParseRunRecord(ReadWhole(entry.path()));
+      if (entry.path() != FileOf(record.number)) throw std::runtime_error("is of another run");
+      records.emplace(record.number, record);
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(entry.path().string() + ": is damaged; remove it, and its run is done again (" +
+                               error.what() + ")");
+    }
+  }
+  return records;
+}
+
+void StudyFolder::Write(const RunRecord& record) const { WriteWhole(FileOf(record.number), ToLine(record) + "\n"); }
+
+void StudyFolder::TakeFrom(const StudyFolder& other) const {
+  for (const auto& [number, record] : other.ReadRecords()) Write(record);
+}
+
+}  // namespace dgd_demos
