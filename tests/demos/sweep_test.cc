@@ -95,6 +95,15 @@ TEST_F(SweepTest, Mpi_GivesTheSameCsv) {
                                          " sweep " + study_ + " --out " + Path("mpi"));
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   EXPECT_EQ(Csv("mpi"), Csv("one"));
+
+  // A rank that dies takes the others with it, and nothing that is done.
+  const std::string killed = " sweep " + study_ + " --out " + Path("killed");
+  dgd_test::RunProgram("sh", std::string("-c 'mpirun --allow-run-as-root --oversubscribe -n 3 ") +
+                                 DGD_TEST_HEADLESS_SIM + killed + " & sleep 0.6; pkill -KILL -n -f \"" + killed +
+                                 "\"; wait'");
+  EXPECT_EQ(Run(killed).status, 0);
+  EXPECT_EQ(Csv("killed"), Csv("one"));
+
   const Outcome wrong = dgd_test::RunProgram("mpirun", std::string("--allow-run-as-root --oversubscribe -n 3 ") +
                                                            DGD_TEST_HEADLESS_SIM + " sweep nowhere.json");
   EXPECT_NE(wrong.status, 0);
