@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -24,6 +25,28 @@ struct RoundedPolyhedron {
 /// overlap or not, the balls add their radii to the cores' depth, or take them off the cores' distance.
 double TruePenetration(const RoundedPolyhedron& a, const Pose& pose_a, const RoundedPolyhedron& b, const Pose& pose_b);
 
+/// One convex part of a body.
+struct OraclePart {
+  RoundedPolyhedron shape;
+  Pose pose = {};  ///< In the body's frame.
+};
+
+/// All below a plane: the points x with normal . x <= offset.
+struct HalfSpace {
+  Eigen::Vector3d normal;  ///< Unit.
+  double offset;           ///< m
+};
+
+/// What a body is judged by: its parts, or a half-space. One with neither is not judged: a mesh, for instance.
+struct OracleBody {
+  std::vector<OraclePart> parts;
+  std::optional<HalfSpace> half_space = std::nullopt;
+
+  bool IsJudged() const { return half_space.has_value() || !parts.empty(); }
+};
+
+std::vector<OracleBody> OracleBodiesOf(const std::vector<Body>& bodies);
+
 /// The deepest true penetration in a scene, step by step. Exact, yet fast enough for every step: one separation along
 /// the pair's last known axis bounds its depth from above, which leaves a few pairs a step for the full computation.
 ///
@@ -32,26 +55,36 @@ double TruePenetration(const RoundedPolyhedron& a, const Pose& pose_a, const Rou
 /// Bullet's GJK sees, although its special box-box algorithm takes them as sharp.
 class PenetrationOracle {
  public:
-  explicit PenetrationOracle(const std::vector<Body>& bodies);
+  explicit PenetrationOracle(const std::vector<Body>& bodies) : PenetrationOracle(OracleBodiesOf(bodies)) {}
+  explicit PenetrationOracle(std::vector<OracleBody> bodies);
+  PenetrationOracle(const PenetrationOracle&) = delete;  // It points into itself.
+  PenetrationOracle& operator=(const PenetrationOracle&) = delete;
 
   /// Over the given pairs at the given poses, m; 0 if none overlaps. All true penetrations are among the pairs of
   /// overlapping bounding boxes, since these contain the margins.
   double DeepestPenetration(const CollisionInput& input);
 
+  /// Those of the pairs that DeepestPenetration() leaves out, because a body of theirs is not judged.
+  int CountUnjudged(const CollisionInput& input) const;
+
  private:
+  // Of two parts; their indices count those of all bodies, in order.
   struct Candidate {
-    BodyPair pair;
-    double depth_bound;  // No less than the pair's depth.
+    BodyPair parts;
+    double depth_bound;  // No less than the parts' depth.
   };
 
-  std::vector<Candidate> PairsThatMayOverlap(const std::vector<PosedPolyhedron>& cores,
-                                             const CollisionInput& input) const;
-  // A unit vector along which the pair was furthest apart when last computed; the line of centres before that.
-  Eigen::Vector3d LastAxis(const BodyPair& pair, const std::vector<Pose>& poses) const;
-  std::uint64_t KeyOf(const BodyPair& pair) const;
+  std::vector<Candidate> PartsThatMayOverlap(const std::vector<PosedPolyhedron>& cores, const std::vector<Pose>& poses,
+                                             const std::vector<BodyPair>& pairs) const;
+  double DeepestInHalfSpaces(const std::vector<PosedPolyhedron>& cores, const CollisionInput& input) const;
+  // A unit vector along which the parts were furthest apart when last computed; the line of centres before that.
+  Eigen::Vector3d LastAxis(const BodyPair& parts, const std::vector<Pose>& poses) const;
+  std::uint64_t KeyOf(const BodyPair& parts) const;
 
-  std::vector<RoundedPolyhedron> shapes_;
-  std::vector<double> bounding_radii_;
+  std::vector<OracleBody> bodies_;
+  std::vector<int> first_parts_;  // Of each body; and behind the last, the number of all parts.
+  std::vector<const OraclePart*> parts_;
+  std::vector<double> bounding_radii_;  // Of the parts.
   std::unordered_map<std::uint64_t, Eigen::Vector3d> last_axes_;
 };
 

@@ -33,7 +33,8 @@ struct RunSummary {
   double narrowphase_us = 0;    ///< Over all steps.
   std::uint64_t contacts = 0;   ///< Over all steps.
   std::uint64_t fallbacks = 0;  ///< Over all steps.
-  double wall_time = 0;         ///< Of Bullet's steps alone, s: without the oracle, files and pictures.
+  std::uint64_t unjudged_pairs = 0;  ///< Over the steps at which the oracle was asked; see StepRecord.
+  double wall_time = 0;              ///< Of Bullet's steps alone, s: without the oracle, files and pictures.
 };
 
 }  // namespace dgd_demos

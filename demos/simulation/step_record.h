@@ -27,6 +27,8 @@ struct StepRecord {
   CollisionReport collision;
   /// Deepest true penetration at the poses that the narrowphase was given, m; where the oracle was asked.
   std::optional<double> true_penetration;
+  /// Pairs of overlapping bounding boxes that the oracle cannot judge, those with a mesh; 0 where it was not asked.
+  int unjudged_pairs = 0;
 };
 
 }  // namespace dgd_demos

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dgd_demos {
 namespace {
@@ -15,12 +16,23 @@ constexpr double kPlaceShare = 0.5;
 
 double Total(const Energy& energy) { return energy.kinetic + energy.potential; }
 
+std::vector<TalliedBody> TalliedBodies(const std::vector<Body>& bodies) {
+  std::vector<TalliedBody> tallied;
+  for (const Body& body : bodies) {
+    tallied.push_back({body.mass > 0, body.pose.position, BoundingRadius(body.shape, body.margin)});
+  }
+  return tallied;
+}
+
 }  // namespace
 
 Tally::Tally(const Scene& scene, const std::vector<Body>& bodies, const Energy& initial)
-    : bodies_(bodies),
-      duration_(scene.duration),
-      time_step_(scene.time_step),
+    : Tally(scene.duration, scene.time_step, TalliedBodies(bodies), initial) {}
+
+Tally::Tally(double duration, double time_step, std::vector<TalliedBody> bodies, const Energy& initial)
+    : bodies_(std::move(bodies)),
+      duration_(duration),
+      time_step_(time_step),
       initial_energy_(Total(initial)),
       energy_(initial),
       least_energy_(Total(initial)) {
@@ -35,6 +47,7 @@ void Tally::Add(const StepRecord& step, const std::vector<double>& speeds) {
   sums_.narrowphase_us += step.collision.narrowphase_us;
   sums_.contacts += static_cast<std::uint64_t>(step.collision.contacts);
   sums_.fallbacks += step.collision.fallbacks;
+  sums_.unjudged_pairs += static_cast<std::uint64_t>(step.unjudged_pairs);
   AddEnergy(step);
   AddTruePenetration(step);
   AddSpeeds(step, speeds);
@@ -63,7 +76,7 @@ void Tally::AddTruePenetration(const StepRecord& step) {
 void Tally::AddSpeeds(const StepRecord& step, const std::vector<double>& speeds) {
   if (step.time <= duration_ / 2) return;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (bodies_[i].mass == 0) continue;
+    if (!bodies_[i].moves) continue;
     sum_of_squared_speeds_ += speeds[i] * speeds[i];
     ++speeds_;
   }
@@ -71,10 +84,10 @@ void Tally::AddSpeeds(const StepRecord& step, const std::vector<double>& speeds)
 
 void Tally::MeasureDisplacement(const std::vector<Pose>& end_poses, RunSummary& summary) const {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const Body& body = bodies_[i];
-    const double displacement = (end_poses[i].position - body.pose.position).norm();
+    const TalliedBody& body = bodies_[i];
+    const double displacement = (end_poses[i].position - body.start).norm();
     summary.displacement = std::max(summary.displacement, displacement);
-    const bool in_place = displacement <= kPlaceShare * BoundingRadius(body.shape, body.margin);  // False for NaN.
+    const bool in_place = displacement <= kPlaceShare * body.radius;  // False for NaN.
     if (!in_place) ++summary.out_of_place;
   }
 }

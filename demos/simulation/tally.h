@@ -1,6 +1,7 @@
 // The sums and extremes of a run as it goes.
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 #include "scene/bodies.h"
@@ -11,11 +12,18 @@
 
 namespace dgd_demos {
 
+struct TalliedBody {
+  bool moves;
+  Eigen::Vector3d start;  ///< m
+  double radius;          ///< Of the ball about the local origin that contains it, m.
+};
+
 class Tally {
  public:
-  /// @param bodies   must outlive the tally.
   /// @param initial  energy before the first step.
   Tally(const Scene& scene, const std::vector<Body>& bodies, const Energy& initial);
+  /// @param duration, time_step  s
+  Tally(double duration, double time_step, std::vector<TalliedBody> bodies, const Energy& initial);
 
   /// @param speeds  of all bodies after the step, in their order, m/s.
   void Add(const StepRecord& step, const std::vector<double>& speeds);
@@ -32,7 +40,7 @@ class Tally {
   void AddSpeeds(const StepRecord& step, const std::vector<double>& speeds);
   void MeasureDisplacement(const std::vector<Pose>& end_poses, RunSummary& summary) const;
 
-  const std::vector<Body>& bodies_;
+  std::vector<TalliedBody> bodies_;
   double duration_, time_step_;  // s
   double initial_energy_;        // J
   RunSummary sums_;

@@ -7,6 +7,7 @@
 
 #include "simulation/bullet_math.h"
 #include "simulation/bullet_shape.h"
+#include "simulation/bullet_state.h"
 
 namespace dgd_demos {
 namespace {
@@ -24,27 +25,13 @@ Vector3d BulletInertia(const Body& body, const btConvexShape& shape) {
   return FromBullet(inertia);
 }
 
-bool IsFinite(const btRigidBody& body) {
-  const Pose pose = FromBullet(body.getWorldTransform());
-  return pose.position.allFinite() && pose.rotation.allFinite() && FromBullet(body.getLinearVelocity()).allFinite() &&
-         FromBullet(body.getAngularVelocity()).allFinite();
-}
-
-double KineticEnergy(const btRigidBody& body) {
-  const Eigen::Matrix3d rotation = FromBullet(body.getWorldTransform()).rotation;
-  const Vector3d velocity = FromBullet(body.getLinearVelocity());
-  const Vector3d spin = rotation.transpose() * FromBullet(body.getAngularVelocity());
-  const Vector3d inertia = FromBullet(body.getLocalInertia());
-  const double mass = body.getMass();
-  return (mass * velocity.squaredNorm() + inertia.dot(spin.cwiseAbs2())) / 2;
-}
-
 }  // namespace
 
 World::World(const Scene& scene, const std::vector<Body>& bodies, const NarrowphaseChoice& narrowphase)
     : configuration_(MakeCollisionConfiguration(narrowphase)),
       dispatcher_(configuration_.get()),
       world_(&dispatcher_, &broadphase_, &solver_, configuration_.get()),
+      oracle_bodies_(OracleBodiesOf(bodies)),
       may_sleep_(scene.sleeping),
       gravity_(scene.gravity),
       time_step_(scene.time_step) {
@@ -75,27 +62,15 @@ void World::AddBody(const Body& body, int index) {
   rigid_bodies_.back()->setAngularVelocity(ToBullet(body.motion.angular_velocity));
   if (!may_sleep_) rigid_bodies_.back()->setActivationState(DISABLE_DEACTIVATION);
   world_.addRigidBody(rigid_bodies_.back().get());
-  names_.push_back(body.name);
+  bodies_.push_back({body.name, body.mass > 0, body.pose.position, BoundingRadius(body.shape, body.margin)});
 }
 
 CollisionReport World::Step() {
   // No substeps: exactly one step of this length.
   world_.stepSimulation(ToBullet(time_step_), 0);
 
-  CollisionReport report{};
-  report.narrowphase_us = dispatcher_.last_duration().count();
-  report.pairs = broadphase_.m_paircache->getNumOverlappingPairs();
-  report.queries = dispatcher_.last_queries();
-  report.fallbacks = Fallbacks(*configuration_) - std::exchange(fallbacks_so_far_, Fallbacks(*configuration_));
-  for (int m = 0; m < dispatcher_.getNumManifolds(); ++m) {
-    const btPersistentManifold& manifold = *dispatcher_.getManifoldByIndexInternal(m);
-    report.contacts += manifold.getNumContacts();
-    for (int c = 0; c < manifold.getNumContacts(); ++c) {
-      const double depth = -manifold.getContactPoint(c).getDistance();
-      report.deepest_penetration = std::max(report.deepest_penetration, depth);
-    }
-  }
-  return report;
+  const std::uint64_t fallbacks = Fallbacks(*configuration_);
+  return ReportStep(dispatcher_, *broadphase_.m_paircache, fallbacks - std::exchange(fallbacks_so_far_, fallbacks));
 }
 
 std::vector<Pose> World::Poses() const {
@@ -104,18 +79,7 @@ std::vector<Pose> World::Poses() const {
   return poses;
 }
 
-std::vector<BodyPair> World::OverlappingPairs() const {
-  const btBroadphasePairArray& array = broadphase_.m_paircache->getOverlappingPairArray();
-  std::vector<BodyPair> pairs;
-  for (int i = 0; i < array.size(); ++i) {
-    const auto index_of = [](const btBroadphaseProxy* proxy) {
-      return static_cast<const btCollisionObject*>(proxy->m_clientObject)->getUserIndex();
-    };
-    const auto [first, second] = std::minmax({index_of(array[i].m_pProxy0), index_of(array[i].m_pProxy1)});
-    pairs.push_back({first, second});
-  }
-  return pairs;
-}
+std::vector<BodyPair> World::OverlappingPairs() const { return IndexPairs(*broadphase_.m_paircache); }
 
 std::vector<double> World::Speeds() const {
   std::vector<double> speeds;
@@ -137,12 +101,12 @@ std::optional<std::string> World::FindLostBody() const {
   for (std::size_t i = 0; i < rigid_bodies_.size(); ++i) {
     const btRigidBody& body = *rigid_bodies_[i];
     if (body.isStaticObject()) continue;
-    if (!IsFinite(body)) return names_[i] + " has a pose or a velocity that is not finite";
+    if (!IsFinite(body)) return bodies_[i].name + " has a pose or a velocity that is not finite";
     const Vector3d position = FromBullet(body.getWorldTransform().getOrigin());
     if ((position.array() < room_min_.array()).any() || (position.array() > room_max_.array()).any()) {
       std::ostringstream sentence;
-      sentence << names_[i] << " left the world at (" << position.x() << ", " << position.y() << ", " << position.z()
-               << ") m";
+      sentence << bodies_[i].name << " left the world at (" << position.x() << ", " << position.y() << ", "
+               << position.z() << ") m";
       return sentence.str();
     }
   }

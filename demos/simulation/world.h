@@ -14,34 +14,29 @@
 #include "scene/scene.h"
 #include "simulation/collision_input.h"
 #include "simulation/narrowphase.h"
+#include "simulation/simulated_world.h"
 #include "simulation/step_record.h"
 #include "simulation/timing_dispatcher.h"
 
 namespace dgd_demos {
 
-class World {
+class World : public SimulatedWorld {
  public:
   /// @param bodies  from MakeBodies(); the ground first.
   World(const Scene& scene, const std::vector<Body>& bodies, const NarrowphaseChoice& narrowphase);
-  World(const World&) = delete;
-  World& operator=(const World&) = delete;
 
-  /// From the next step on, the recorder gets what the narrowphase is asked. It must outlive this.
-  void RecordInto(dgd_bullet::Recorder& recorder) { dispatcher_.RecordInto(recorder); }
+  void RecordInto(dgd_bullet::Recorder& recorder) override { dispatcher_.RecordInto(recorder); }
+  double time_step() const override { return time_step_; }
+  CollisionReport Step() override;
 
-  /// Advances by the scene's time step.
-  CollisionReport Step();
-
-  /// Poses of all bodies now, in the order of `bodies`; and the pairs of overlapping bounding boxes of the last step.
-  /// Poses taken before a step and pairs after it are what its narrowphase was given.
-  std::vector<Pose> Poses() const;
-  std::vector<BodyPair> OverlappingPairs() const;
-
-  std::vector<double> Speeds() const;  ///< Of the centres of mass, m/s.
-  Energy TotalEnergy() const;
-
-  /// A sentence about the first body that has left the world or has a pose or a velocity that is not finite.
-  std::optional<std::string> FindLostBody() const;
+  const std::vector<SimulatedBody>& Bodies() const override { return bodies_; }
+  std::vector<OracleBody> OracleBodies() const override { return oracle_bodies_; }
+  std::vector<Pose> Poses() const override;
+  std::vector<BodyPair> OverlappingPairs() const override;
+  std::vector<double> Speeds() const override;
+  Energy TotalEnergy() const override;
+  std::optional<std::string> FindLostBody() const override;
+  btDynamicsWorld& Bullet() override { return world_; }
 
  private:
   void AddBody(const Body& body, int index);
@@ -55,7 +50,8 @@ class World {
   std::vector<std::unique_ptr<btRigidBody>> rigid_bodies_;
   btDiscreteDynamicsWorld world_;
 
-  std::vector<std::string> names_;
+  std::vector<SimulatedBody> bodies_;
+  std::vector<OracleBody> oracle_bodies_;
   bool may_sleep_;
   Eigen::Vector3d gravity_;
   Eigen::Vector3d room_min_, room_max_;  // Where a body's centre may be.

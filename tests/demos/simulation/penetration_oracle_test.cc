@@ -130,5 +130,28 @@ TEST(PenetrationOracleTest, NoPairs_NoPenetration) {
   EXPECT_EQ(PenetrationOracle(bodies).DeepestPenetration(input), 0);
 }
 
+// Two balls of 0.5 m on a rod of 2 m, one of them 0.1 m deep in a box; and the rod's other end 0.2 m deep in a
+// half-space.
+TEST(PenetrationOracleTest, PartsAndHalfSpaces_DeepestOfAll) {
+  OracleBody dumbbell;
+  for (const double x : {-1.0, 1.0}) {
+    Pose end;
+    end.position.x() = x;
+    dumbbell.parts.push_back({{PointPolyhedron(), 0.5}, end});
+  }
+  const OracleBody box{{{{CoreOf(Box{Eigen::Vector3d::Constant(1)}, 0), 0}}}};
+  OracleBody plane;
+  plane.half_space = HalfSpace{Eigen::Vector3d::UnitX(), 0};
+  PenetrationOracle oracle({dumbbell, box, plane, OracleBody{}});
+  Pose beside, below;
+  beside.position.x() = 2.4;
+  below.position.x() = -1.3;
+  const std::vector<Pose> poses = {Pose{}, beside, below, Pose{}};
+  EXPECT_NEAR(oracle.DeepestPenetration({poses, {{0, 1}}}), 0.1, 1e-12);
+  EXPECT_NEAR(oracle.DeepestPenetration({poses, {{0, 1}, {0, 2}}}), 0.2, 1e-12);
+  EXPECT_EQ(oracle.DeepestPenetration({poses, {{0, 3}, {2, 3}}}), 0);
+  EXPECT_EQ(oracle.CountUnjudged({poses, {{0, 1}, {0, 2}, {0, 3}, {2, 3}}}), 2);
+}
+
 }  // namespace
 }  // namespace dgd_demos
