@@ -5,12 +5,15 @@
 #include <iostream>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "program_main.h"
+#include "run/run_command.h"
 #include "scene/json_reader.h"
 #include "scene_options.h"
 #include "simulation/narrowphase.h"
+#include "sweep/local_workers.h"
 #include "sweep/run_one.h"
 #include "sweep/sweep_command.h"
 
@@ -20,6 +23,7 @@ namespace {
 constexpr const char* kHelp = R"(Worlds in Bullet, on its own narrowphase and on the growth distance, without a screen.
 Usage: headless_sim COMMAND [OPTIONS]
 
+  run WORLD     one world, measured and drawn; trajectories and contacts for NumPy
   sweep STUDY   many worlds: all combinations of seeds, narrowphases and values, resumable, on many processors
   list          the scenes that come with this program, with a line each
 
@@ -53,8 +57,41 @@ int One(const char* spec) {
   return kSuccess;
 }
 
+// Options apart from those named, each of which has a value.
+std::vector<std::string> Without(int argc, char** argv, const std::vector<std::string>& names) {
+  std::vector<std::string> kept;
+  for (int i = 0; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (std::ranges::count(names, argument) > 0) {
+      ++i;
+    } else if (std::ranges::none_of(names, [&](const auto& name) { return argument.starts_with(name + "="); })) {
+      kept.push_back(argument);
+    }
+  }
+  return kept;
+}
+
+// `run`, in this program or the one of the other precision; or in both, into a folder each.
+int RunInPrecision(int argc, char** argv) {
+  const auto parsed = ParseRunOptions(argc, argv);
+  const auto* options = std::get_if<RunOptions>(&parsed);
+  if (options == nullptr || options->precision.empty() || options->precision == BulletPrecision()) {
+    return RunProgram(parsed, Run);
+  }
+  int worst = kSuccess;
+  for (const std::string precision : {"float", "double"}) {
+    if (options->precision != "both" && options->precision != precision) continue;
+    const std::filesystem::path out = options->precision == "both" ? options->out / precision : options->out;
+    std::vector<std::string> arguments = Without(argc, argv, {"--precision", "--out"});
+    arguments.insert(arguments.end(), {"--out", out.string()});
+    worst = std::max(worst, RunAndWait(ProgramFor(precision), arguments));
+  }
+  return worst;
+}
+
 int Main(int argc, char** argv) {
   const std::string_view command = argc > 1 ? argv[1] : "";
+  if (command == "run") return RunInPrecision(argc - 1, argv + 1);
   if (command == "sweep") return RunProgram(ParseSweepOptions(argc - 1, argv + 1), Sweep);
   if (command == "list" && argc == 2) return List();
   if (command == "one" && argc == 3) return One(argv[2]);

@@ -5,7 +5,8 @@
 
 build_packages='build-essential cmake ninja-build pkg-config libbullet-dev libeigen3-dev libqhull-dev libassimp-dev
   libosmesa6-dev libpng-dev nlohmann-json3-dev libcli11-dev'
-test_packages='libgtest-dev libglpk-dev libfcl-dev libompl-dev libopenmpi-dev openmpi-bin doxygen'
+test_packages='libgtest-dev libglpk-dev libfcl-dev libompl-dev libopenmpi-dev openmpi-bin python3-numpy
+  doxygen'
 preset=release
 build_dir=${DGD_BUILD_DIR:-$root/build/release}
 

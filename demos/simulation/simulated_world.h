@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "scene/pose.h"
+#include "scene/scene.h"
 #include "simulation/collision_input.h"
 #include "simulation/penetration_oracle.h"
 #include "simulation/step_record.h"
@@ -48,7 +49,8 @@ class SimulatedWorld {
   /// Of overlapping bounding boxes in the last step. Poses taken before a step and pairs after it are what its
   /// narrowphase was given.
   virtual std::vector<BodyPair> OverlappingPairs() const = 0;
-  virtual std::vector<double> Speeds() const = 0;  ///< Of the centres of mass, m/s.
+  virtual std::vector<Motion> Motions() const = 0;
+  std::vector<double> Speeds() const;  ///< Of the centres of mass, m/s.
   virtual Energy TotalEnergy() const = 0;
 
   /// A sentence about the first body that has left the world or has a pose or a velocity that is not finite.
@@ -57,5 +59,11 @@ class SimulatedWorld {
   /// The world itself, with all of Bullet's objects; their user indices are the bodies'.
   virtual btDynamicsWorld& Bullet() = 0;
 };
+
+inline std::vector<double> SimulatedWorld::Speeds() const {
+  std::vector<double> speeds;
+  for (const Motion& motion : Motions()) speeds.push_back(motion.velocity.norm());
+  return speeds;
+}
 
 }  // namespace dgd_demos

@@ -81,10 +81,12 @@ std::vector<Pose> World::Poses() const {
 
 std::vector<BodyPair> World::OverlappingPairs() const { return IndexPairs(*broadphase_.m_paircache); }
 
-std::vector<double> World::Speeds() const {
-  std::vector<double> speeds;
-  for (const auto& body : rigid_bodies_) speeds.push_back(FromBullet(body->getLinearVelocity()).norm());
-  return speeds;
+std::vector<Motion> World::Motions() const {
+  std::vector<Motion> motions;
+  for (const auto& body : rigid_bodies_) {
+    motions.push_back({FromBullet(body->getLinearVelocity()), FromBullet(body->getAngularVelocity())});
+  }
+  return motions;
 }
 
 Energy World::TotalEnergy() const {

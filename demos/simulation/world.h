@@ -33,7 +33,7 @@ class World : public SimulatedWorld {
   std::vector<OracleBody> OracleBodies() const override { return oracle_bodies_; }
   std::vector<Pose> Poses() const override;
   std::vector<BodyPair> OverlappingPairs() const override;
-  std::vector<double> Speeds() const override;
+  std::vector<Motion> Motions() const override;
   Energy TotalEnergy() const override;
   std::optional<std::string> FindLostBody() const override;
   btDynamicsWorld& Bullet() override { return world_; }

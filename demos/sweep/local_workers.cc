@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <spawn.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -67,6 +68,19 @@ std::string ProgramFor(const std::string& precision) {
     throw std::runtime_error(program.string() + ": is not there, which simulates with Bullet in " + precision);
   }
   return program.string();
+}
+
+int RunAndWait(const std::string& program, const std::vector<std::string>& arguments) {
+  std::vector<char*> argv = {const_cast<char*>(program.c_str())};
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  pid_t process = 0;
+  const int error = posix_spawn(&process, program.c_str(), nullptr, nullptr, argv.data(), environ);
+  if (error != 0) throw std::runtime_error(program + ": cannot be started: " + std::strerror(error));
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
 LocalWorkers::LocalWorkers(int jobs) : jobs_(jobs) {}

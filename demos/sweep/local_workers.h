@@ -35,6 +35,11 @@ class LocalWorkers : public Workers {
   std::vector<Child> children_;
 };
 
+/// Runs a program in the place of this one, as far as its streams go, until it ends.
+/// @return its exit status; 128 and its number if a signal ended it, as shells have it.
+/// @throws std::runtime_error if it cannot be started.
+int RunAndWait(const std::string& program, const std::vector<std::string>& arguments);
+
 /// This program, or its sibling in the same folder that is built for the other precision.
 /// @param precision  "float" or "double".
 /// @throws std::runtime_error if it is not there.

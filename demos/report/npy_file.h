@@ -1,0 +1,56 @@
+// A file that numpy.load() opens: records of named columns, added as a simulation goes.
+//
+// Of NumPy's two formats, .npy and not .npz: the latter is an archive whose table comes last, so that a program that
+// dies leaves nothing that can be opened. Here the head, which says how many records there are, is brought up to date
+// with each Flush(); what is beyond it is not looked at. Columns have names, as in a CSV, and values are exact.
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+namespace dgd_demos {
+
+class NpyFile {
+ public:
+  struct Column {
+    const char* name;
+    bool is_integer = false;  ///< 64 bits; otherwise double.
+    int size = 1;             ///< Numbers of an entry: 3 of a vector.
+  };
+
+  /// Creates or overwrites the file.
+  /// @param rows_of_a_record  0: the file is a list of rows; otherwise a table, each record of which has so many rows.
+  /// @throws std::runtime_error with the reason if it cannot be written.
+  NpyFile(const std::filesystem::path& file, std::vector<Column> columns, std::size_t rows_of_a_record);
+  ~NpyFile();
+  NpyFile(const NpyFile&) = delete;
+  NpyFile& operator=(const NpyFile&) = delete;
+
+  /// Adds the next numbers of the row, column by column.
+  void Add(double number);
+  void AddInteger(std::int64_t number);
+  void Add(std::initializer_list<double> numbers);
+
+  /// Hands what was added to the operating system, so that it survives a crash of this program.
+  /// @pre the last record is complete.
+  /// @throws std::runtime_error if that fails, as on a full disk.
+  void Flush();
+
+ private:
+  std::string Head() const;
+  [[noreturn]] void Fail() const;
+
+  std::filesystem::path file_;
+  std::vector<Column> columns_;
+  std::size_t row_size_ = 0;  // Bytes.
+  std::size_t rows_of_a_record_;
+  std::size_t written_ = 0;  // Bytes, after the head.
+  std::vector<char> buffer_;
+  std::FILE* stream_;
+};
+
+}  // namespace dgd_demos

@@ -1,0 +1,130 @@
+#include "run/run_options.h"
+
+#include <map>
+
+#include "command_line.h"
+#include "scene_options.h"
+
+namespace dgd_demos {
+namespace {
+
+constexpr const char* kDropDescription =
+    R"(Drops the bodies of a scene in Bullet, with the growth distance as its narrowphase, with the built-in
+GJK/EPA, or with one after the other, and compares the two: penetration, energy, contacts, time.)";
+
+constexpr const char* kRunDescription =
+    R"(Runs a world in Bullet, with the growth distance as its narrowphase, with the built-in GJK/EPA, or with one after the
+other, and compares the two: penetration, energy, contacts, time.)";
+
+constexpr const char* kDropExamples = R"(
+Examples:
+  polytope_drop                                     fifty polytopes, both narrowphases, into out/
+  polytope_drop --narrowphase dgd --seed 7          the growth distance alone, other polytopes
+  polytope_drop --scene my.json --out my_results    a scene of your own (format: scenes/README.md)
+  polytope_drop --duration 2 --no-snapshots         a quick look at the figures
+
+)";
+
+constexpr const char* kRunExamples = R"(
+Examples:
+  headless_sim run tower_20                                     a scene of `headless_sim list`, both narrowphases
+  headless_sim run my.json --set friction_anchors=off           a scene of your own, with an option of the plugin
+  headless_sim run my.json --precision both                     Bullet in float and in double, into out/float and
+                                                                out/double
+  headless_sim run my.json --trajectory --sample-every 0.05     20 poses a second for NumPy
+
+)";
+
+constexpr const char* kFiles = R"(Written into DIR:
+  builtin.csv, dgd.csv          one row a step; written as it goes, so that a crash leaves what was done
+      time_s                          at the end of the step
+      kinetic_energy_j, potential_energy_j   at that time; potential energy is 0 on the ground's top
+      contacts                        points in all contact manifolds
+      deepest_reported_penetration_m  by the contact points
+      narrowphase_us                  wall time of the step's collision detection after the broadphase
+      pairs                           pairs of overlapping bounding boxes
+      queries                         those of them that Bullet's dispatcher did not skip as asleep
+      fallbacks                       queries that the growth distance handed back to GJK/EPA
+      deepest_true_penetration_m      by an exact oracle that shares no code with either narrowphase
+  builtin_t00.50s.png, ...      pictures at the scene's times; blue bodies are still, red ones fast
+  end_state.png                 the end of the run; of both side by side, if both ran
+  builtin.rec, dgd.rec          with --record: what the narrowphase was asked, for narrowphase_replay; one MB
+                                holds 5000 pairs (10000 in float)
+  builtin_trajectory.npy, ...   with --trajectory: for numpy.load(), poses and velocities of all bodies, also of a
+                                run that was killed; columns time, position (of the centre of mass), orientation
+                                (x, y, z, w), velocity, angular_velocity: ["position"][sample, body]
+  builtin_contacts.npy, ...     with --contacts: a row a contact point; columns time, body_a, body_b, position_a,
+                                position_b, normal (from B to A), distance, impulse (N s, along the normal)
+  bodies.csv                    with either: the names of the bodies
+  summary.csv                   the table that is printed at the end; its wall time counts Bullet's steps
+                                alone, without oracle, files and pictures
+
+Exit status: 0 all went well; 1 a body left the world or a value was not finite; 2 wrong command line
+or world, or the output cannot be written.)";
+
+constexpr const char* kDefaultScene = "scenes/polytopes_50.json";
+
+constexpr Limits<double> kSampleInterval = {0, 3600};  // s
+
+// A scene of this project by its name, or any file.
+std::filesystem::path WorldFile(const std::filesystem::path& world) {
+  if (world.has_extension()) return FindData(world);
+  return FindData("scenes" / world.parent_path() / (world.filename().string() + ".json"));
+}
+
+void AddOptions(CommandLine& line, RunOptions& options, std::string& narrowphase, bool& no_snapshots) {
+  line.AddChoice("--narrowphase", "WHICH", narrowphase, {"dgd", "builtin", "both"}, "dgd, builtin or both");
+  line.AddSeed(options.seed, "Seed of the random bodies");
+  line.AddPath("--out", "DIR", options.out, "Folder for the results; made if missing");
+  AddDurationOption(line, options.duration);
+  AddOracleEveryOption(line, options.oracle_every);
+  line.AddFlag("--no-snapshots", no_snapshots, "Draw no pictures");
+  line.AddFlag("--record", options.record, "Write down what each narrowphase is asked");
+  line.AddFlag("--trajectory", options.write_trajectory, "Write poses and velocities for NumPy");
+  line.AddFlag("--contacts", options.write_contacts, "Write the contacts for NumPy");
+  line.AddNumber("--sample-every", "S", options.sample_interval, kSampleInterval,
+                 "Simulated time from one sample of these to the next in s; 0: every step");
+}
+
+void Complete(RunOptions& options, const std::string& narrowphase, bool no_snapshots, const std::string& settings) {
+  const std::string dgd = settings.empty() ? "dgd" : "dgd:" + settings;
+  if (narrowphase != "dgd") options.narrowphases.push_back("builtin");
+  if (narrowphase != "builtin") options.narrowphases.push_back(dgd);
+  options.draw_snapshots = !no_snapshots;
+}
+
+}  // namespace
+
+std::variant<RunOptions, ExitStatus> ParsePolytopeDropOptions(int argc, const char* const* argv) {
+  RunOptions options;
+  options.world = FindData(kDefaultScene);
+  std::string narrowphase = "both";
+  bool no_snapshots = false;
+  CommandLine line("polytope_drop", kDropDescription, std::string(kDropExamples) + kFiles);
+  line.AddPath("--scene", "FILE", options.world, "Scene file (JSON)");
+  AddOptions(line, options, narrowphase, no_snapshots);
+  if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
+  Complete(options, narrowphase, no_snapshots, "");
+  return options;
+}
+
+std::variant<RunOptions, ExitStatus> ParseRunOptions(int argc, const char* const* argv) {
+  RunOptions options;
+  std::string narrowphase = "both";
+  bool no_snapshots = false;
+  std::vector<std::string> settings;
+  CommandLine line("headless_sim run", kRunDescription, std::string(kRunExamples) + kFiles);
+  line.AddArgument("world", "WORLD", options.world, "Scene file (JSON), or the name of a scene");
+  line.AddWords("--set", "LIST", settings, "Options of the plugin, as patch_size=2,friction_anchors=off");
+  line.AddChoice("--precision", "WHICH", options.precision, {"float", "double", "both"},
+                 "Of Bullet: float, double or both");
+  AddOptions(line, options, narrowphase, no_snapshots);
+  if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
+  std::string all_settings;
+  for (const std::string& setting : settings) all_settings += (all_settings.empty() ? "" : ",") + setting;
+  Complete(options, narrowphase, no_snapshots, all_settings);
+  options.world = WorldFile(options.world);
+  return options;
+}
+
+}  // namespace dgd_demos

@@ -1,0 +1,33 @@
+// The command line of `headless_sim run`, and of polytope_drop, which is the same with a scene of its own.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "exit_status.h"
+
+namespace dgd_demos {
+
+struct RunOptions {
+  std::filesystem::path world;            ///< A scene.
+  std::vector<std::string> narrowphases;  ///< As NarrowphaseChoice::Name(), in the order in which they run.
+  std::string precision;                  ///< "float", "double" or "both"; empty: this program's.
+  std::uint64_t seed = 1;
+  std::filesystem::path out = "out";
+  bool draw_snapshots = true;
+  bool record = false;  ///< What the narrowphases are asked.
+  bool write_trajectory = false, write_contacts = false;
+  double sample_interval = 0;      ///< Of trajectory and contacts, s; 0: every step.
+  std::optional<double> duration;  ///< s
+  int oracle_every = 1;            ///< Steps.
+};
+
+/// The options, or the exit status if the program is to end now: after --help, or with a complaint on standard error.
+std::variant<RunOptions, ExitStatus> ParseRunOptions(int argc, const char* const* argv);
+std::variant<RunOptions, ExitStatus> ParsePolytopeDropOptions(int argc, const char* const* argv);
+
+}  // namespace dgd_demos

@@ -1,0 +1,125 @@
+// `headless_sim run` as its users run it: what it leaves, what NumPy makes of it, and what it refuses. What it has in
+// common with polytope_drop is tested there.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "small_scenes.h"
+#include "support/run_program.h"
+
+namespace dgd_demos {
+namespace {
+
+using dgd_test::Count;
+using dgd_test::Outcome;
+
+const std::string kPython = "/usr/bin/python3";  // Debian's modules are for Debian's interpreter.
+
+class RunTest : public testing::Test {
+ protected:
+  RunTest() : scene_(folder_.Write("box.json", ValidSceneText()).string()) {}
+
+  static Outcome Run(const std::string& arguments) { return dgd_test::RunProgram(DGD_TEST_HEADLESS_SIM, arguments); }
+  std::string Path(const std::string& name) const { return (folder_.path() / name).string(); }
+
+  TestFolder folder_;
+  std::string scene_;
+};
+
+// The snippet of the README, with this test's file.
+TEST_F(RunTest, Numpy_OpensTrajectoryAndContacts) {
+  if (dgd_test::RunProgram(kPython, "-c 'import numpy'").status != 0) GTEST_SKIP() << "no NumPy here";
+  const Outcome outcome =
+      Run("run " + scene_ + " --no-snapshots --trajectory --contacts --sample-every 0.02 --out " + Path("out"));
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+
+  std::ifstream readme(DGD_TEST_DEMOS_README);
+  std::string script, line;
+  while (std::getline(readme, line) && line != "```python") {
+  }
+  while (std::getline(readme, line) && line != "```") script += line + '\n';
+  ASSERT_NE(script.find("numpy.load(\"out/dgd_trajectory.npy\")"), std::string::npos) << script;
+  script += R"(
+assert poses.shape == (11, 2), poses.shape  # 0.2 s
+assert numpy.allclose(poses["time"][:, 0], numpy.arange(11) * 0.02)
+height = poses["position"][:, 1, 2]
+assert abs(height[0] - 1) < 1e-6
+fall = height[0] - 9.81 / 2 * poses["time"][:, 1] ** 2
+assert numpy.abs(height - fall)[:5].max() < 0.01, height
+assert abs(poses["velocity"][4, 1, 2] + 9.81 * 0.08) < 1e-3
+assert numpy.allclose(numpy.linalg.norm(poses["orientation"], axis=-1), 1)
+assert contacts.dtype.names[:3] == ("time", "body_a", "body_b")
+assert numpy.allclose(numpy.linalg.norm(contacts["normal"], axis=-1), 1)
+)";
+  folder_.Write("script.py", script);
+  const Outcome python =
+      dgd_test::RunProgram("sh", "-c 'cd " + folder_.path().string() + " && " + kPython + " script.py'");
+  EXPECT_EQ(python.status, 0) << python.output;
+}
+
+// What is there can be read, whenever the run was ended.
+TEST_F(RunTest, KilledRun_LeavesATrajectoryThatOpens) {
+  if (dgd_test::RunProgram(kPython, "-c 'import numpy'").status != 0) GTEST_SKIP() << "no NumPy here";
+  const std::string program = DGD_TEST_HEADLESS_SIM;
+  dgd_test::RunProgram("timeout", "-s KILL 0.7 " + program + " run " + scene_ +
+                                      " --duration 3000 --narrowphase dgd --trajectory --out " + Path("out"));
+  const std::string script = folder_
+                                 .Write("script.py", R"(import numpy, sys
+poses = numpy.load(sys.argv[1])
+assert len(poses) > 10, poses.shape
+assert numpy.allclose(numpy.diff(poses["time"][:, 0]), 0.004)
+)")
+                                 .string();
+  const Outcome python = dgd_test::RunProgram(kPython, script + " " + Path("out/dgd_trajectory.npy"));
+  EXPECT_EQ(python.status, 0) << python.output;
+}
+
+TEST_F(RunTest, BothPrecisions_HaveAFolderEach) {
+  const Outcome outcome =
+      Run("run " + scene_ + " --precision both --no-snapshots --duration 0.05 --out=" + Path("out"));
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_EQ(Count(outcome.output, "Bullet in float precision"), 1) << outcome.output;
+  EXPECT_EQ(Count(outcome.output, "Bullet in double precision"), 1);
+  EXPECT_NE(ReadFile(Path("out/float/dgd.csv")).find("# precision: float"), std::string::npos);
+  EXPECT_NE(ReadFile(Path("out/double/dgd.csv")).find("# precision: double"), std::string::npos);
+}
+
+TEST_F(RunTest, Options_ReachThePlugin) {
+  const std::string run = "run " + scene_ + " --no-snapshots --narrowphase dgd --contacts --duration 1 --out ";
+  EXPECT_EQ(Run(run + Path("full")).status, 0);
+  EXPECT_EQ(Run(run + Path("one") + " --set patch_size=1,friction_anchors=off").status, 0);
+  EXPECT_NE(ReadFile(Path("one/dgd.csv")).find("# narrowphase: dgd:patch_size=1,friction_anchors=off\n"),
+            std::string::npos);
+  EXPECT_LT(std::filesystem::file_size(Path("one/dgd_contacts.npy")),
+            std::filesystem::file_size(Path("full/dgd_contacts.npy")));
+}
+
+TEST_F(RunTest, BadInput_Status2) {
+  for (const auto& [arguments, complaint] :
+       std::vector<std::pair<std::string, std::string>>{{"", "world is required"},
+                                                        {"nowhere", "nowhere.json: cannot be opened"},
+                                                        {scene_ + " --set patch=1", "there is no option 'patch'"},
+                                                        {scene_ + " --set patch_size=0", "patch_size"},
+                                                        {scene_ + " --sample-every -1", "--sample-every"},
+                                                        {scene_ + " --precision half", "--precision"},
+                                                        {scene_ + " --seed x", "--seed"}}) {
+    const Outcome outcome = Run("run " + arguments + " --no-snapshots --duration 0.02 --out " + Path("bad"));
+    EXPECT_EQ(outcome.status, 2) << arguments << ": " << outcome.output;
+    EXPECT_GE(Count(outcome.output, complaint), 1) << arguments << ": " << outcome.output;
+  }
+  EXPECT_EQ(Run("run " + scene_ + " --no-snapshots --out /dev/null/x").status, 2) << "a folder in a file";
+}
+
+TEST_F(RunTest, FullDisk_IsToldOfATrajectory) {
+  std::filesystem::create_directories(folder_.path() / "out");
+  std::filesystem::create_symlink("/dev/full", folder_.path() / "out" / "dgd_trajectory.npy");
+  const Outcome outcome = Run("run " + scene_ + " --no-snapshots --narrowphase dgd --trajectory --out " + Path("out"));
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(Count(outcome.output, "dgd_trajectory.npy: cannot be written: No space left on device"), 1)
+      << outcome.output;
+}
+
+}  // namespace
+}  // namespace dgd_demos
