@@ -1,0 +1,49 @@
+// A .bullet file taken apart: header, chunks and DNA, each checked against the file's end.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "world_file/byte_reader.h"
+#include "world_file/dna.h"
+
+namespace dgd_demos {
+
+/// Of the numbers in a file, and of the Bullet that wrote it.
+enum class Precision { kFloat, kDouble };
+const char* NameOf(Precision precision);  ///< "float" or "double".
+
+struct FileChunk {
+  std::string code;       ///< Four letters: "RBDY" is a rigid body.
+  std::size_t position;   ///< Of the chunk in the file, bytes.
+  std::uint64_t pointer;  ///< What other chunks call it by.
+  int structure;          ///< Its number in the DNA; -1: plain letters.
+  std::size_t count;      ///< Elements.
+  Bytes data;             ///< count * the structure's size bytes, but for codes that nobody reads.
+};
+
+struct BulletFile {
+  std::string name;                                     ///< For messages.
+  std::shared_ptr<const std::vector<std::byte>> bytes;  ///< What the chunks' data are views of.
+  Precision precision;
+  int version;  ///< 324 is Bullet 3.24.
+  Dna dna;
+  std::vector<FileChunk> chunks;  ///< Without that of the DNA.
+};
+
+/// @param name  for messages.
+/// @throws SceneError in one sentence: name, place and value. So for files of another byte order or with 32-bit
+/// pointers,
+///         which Bullet's importer would convert by code that trusts them.
+BulletFile ParseBulletFile(std::string name, std::vector<std::byte> bytes);
+
+/// @throws SceneError, also if the file cannot be read or is larger than 256 MB.
+BulletFile ReadBulletFile(const std::filesystem::path& file);
+
+/// "3.24" for 324.
+std::string VersionText(int version);
+
+}  // namespace dgd_demos

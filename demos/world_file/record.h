@@ -1,0 +1,108 @@
+// The chunks of a .bullet file as memory that Bullet's importer may read: every pointer null but for those that were
+// set to memory of the size that is read through them.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "world_file/bullet_file.h"
+
+namespace dgd_demos {
+
+/// A chunk and its copy, in which pointers are addresses.
+struct Block {
+  const FileChunk* chunk;
+  std::size_t index;                    ///< Of the chunk in the file.
+  const Dna::Structure* structure;      ///< Null: plain letters.
+  std::unique_ptr<std::byte[]> memory;  ///< Aligned as by new; of the chunk's length.
+};
+
+/// What a number may be.
+enum class Limit {
+  kNumber,       ///< Infinity as well: Bullet's limits and thresholds are so where there is none.
+  kFinite,       ///< ... nor so great that its square is not.
+  kNotNegative,  ///< ... and finite.
+  kPositive,     ///< ... and finite.
+};
+
+class Blocks;
+
+/// One structure in a block, which may be an element of an array and lie in another structure. A view.
+class Record {
+ public:
+  Record(const Blocks& blocks, Block& block, std::size_t element);
+
+  Block& block() const { return *block_; }
+  void* address() const { return block_->memory.get() + offset_; }
+  std::string_view structure() const { return structure_->name; }
+
+  Record Inner(std::string_view path) const;  ///< A structure in this one.
+  std::int32_t Integer(std::string_view path) const;
+  std::int32_t Integer(std::string_view path, std::int32_t low, std::int32_t high) const;  ///< Ends included.
+  std::vector<double> Numbers(std::string_view path) const;  ///< All there are; the fourth of a vector is left out.
+  std::vector<double> Numbers(std::string_view path, Limit limit) const;
+  /// A quaternion that turns, by its four numbers.
+  void CheckQuaternion(std::string_view path) const;
+  /// A transform whose matrix is a rotation.
+  void CheckPose(std::string_view path) const;
+
+  /// The chunk that a pointer names, or null.
+  Block* Target(std::string_view path) const;
+  /// An array of at least so many elements of a structure; it becomes the pointer's target.
+  Block& Array(std::string_view path, std::string_view structure, std::size_t count) const;
+  /// A string that ends, or null: Bullet names an empty one and does not write it.
+  void LinkName(std::string_view path) const;
+  void Link(std::string_view path, const Block* target) const;
+
+  [[noreturn]] void Fail(const std::string& what) const;
+  [[noreturn]] void Fail(std::string_view path, const std::string& what) const;
+
+ private:
+  Record(const Blocks& blocks, Block& block, std::size_t offset, const Dna::Structure& structure)
+      : blocks_(&blocks), block_(&block), offset_(offset), structure_(&structure) {}
+
+  std::uint64_t Pointer(std::string_view path) const;
+
+  const Blocks* blocks_;
+  Block* block_;
+  std::size_t offset_;  // In the block.
+  const Dna::Structure* structure_;
+};
+
+/// All blocks of a file, by what it calls them.
+class Blocks {
+ public:
+  /// @param reference  the DNA of the Bullet whose importer will read: structures that differ from its are refused.
+  /// @throws SceneError if two different chunks are called the same.
+  Blocks(const BulletFile& file, const Dna& reference);
+
+  const BulletFile& file() const { return *file_; }
+  std::deque<Block>& all() { return blocks_; }
+  Block* Find(std::uint64_t pointer) const;
+
+  /// The elements of a block, if they are of this structure, as the reference has it. Without pointers, so far.
+  /// @throws SceneError if not, or if the block is not as long as they are.
+  void Expect(Block& block, std::string_view structure) const;
+  /// A number that tells which structure the block is of, in the structure that all of its kind begin with.
+  std::int32_t Kind(const Block& block, std::string_view base, std::string_view field) const;
+  /// The only element.
+  Record Single(Block& block, std::string_view structure) const;
+
+  [[noreturn]] void Fail(const Block& block, const std::string& what) const;
+  std::string PlaceOf(const Block& block) const;  ///< File, chunk, byte offset, code and structure.
+
+ private:
+  void ExpectSame(const Block& block, std::string_view structure) const;
+
+  const BulletFile* file_;
+  const Dna* reference_;
+  std::deque<Block> blocks_;
+  std::map<std::uint64_t, Block*> by_pointer_;
+};
+
+}  // namespace dgd_demos
