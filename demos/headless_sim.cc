@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "program_main.h"
+#include "run/export_command.h"
 #include "run/run_command.h"
 #include "scene/json_reader.h"
 #include "scene_options.h"
@@ -25,6 +26,7 @@ Usage: headless_sim COMMAND [OPTIONS]
 
   run WORLD     one world, measured and drawn; trajectories and contacts for NumPy
   sweep STUDY   many worlds: all combinations of seeds, narrowphases and values, resumable, on many processors
+  export SCENE FILE.bullet    a scene as one of Bullet's world files, for other programs
   list          the scenes that come with this program, with a line each
 
 headless_sim COMMAND --help describes each. Bullet is in %s precision here; %s is the same in %s.
@@ -92,6 +94,7 @@ int RunInPrecision(int argc, char** argv) {
 int Main(int argc, char** argv) {
   const std::string_view command = argc > 1 ? argv[1] : "";
   if (command == "run") return RunInPrecision(argc - 1, argv + 1);
+  if (command == "export") return RunProgram(ParseExportOptions(argc - 1, argv + 1), Export);
   if (command == "sweep") return RunProgram(ParseSweepOptions(argc - 1, argv + 1), Sweep);
   if (command == "list" && argc == 2) return List();
   if (command == "one" && argc == 3) return One(argv[2]);

@@ -33,19 +33,24 @@ void AddOracleEveryOption(CommandLine& line, int& oracle_every) {
                  "Steps from one computation of the true penetration to the next");
 }
 
-Scene LoadSceneFor(const std::filesystem::path& file, const std::optional<double>& duration,
-                   const SceneChanges& changes) {
-  Scene scene = LoadScene(file, changes);
-  if (!duration) return scene;
-  const bool in_range = *duration >= scene.time_step && *duration <= kMaxDuration;  // False for NaN.
-  if (!in_range) {
-    std::ostringstream complaint;
-    complaint << "--duration: must be from one time step (" << scene.time_step << ") up to " << kMaxDuration
-              << " s, not " << *duration;
-    throw SceneError(complaint.str());
-  }
-  scene.duration = *duration;
+void CheckDuration(double duration, double time_step) {
+  const bool in_range = duration >= time_step && duration <= kMaxDuration;  // False for NaN.
+  if (in_range) return;
+  std::ostringstream complaint;
+  complaint << "--duration: must be from one time step (" << time_step << ") up to " << kMaxDuration << " s, not "
+            << duration;
+  throw SceneError(complaint.str());
+}
+
+void SetDuration(Scene& scene, const std::optional<double>& duration) {
+  if (duration) scene.duration = *duration;
+  CheckDuration(scene.duration, scene.time_step);
   std::erase_if(scene.snapshots, [&](double time) { return time > scene.duration; });
+}
+
+Scene LoadSceneFor(const std::filesystem::path& file, const std::optional<double>& duration) {
+  Scene scene = LoadScene(file);
+  SetDuration(scene, duration);
   return scene;
 }
 

@@ -21,9 +21,15 @@ void AddDurationOption(CommandLine& line, std::optional<double>& duration);
 /// Adds --oracle-every.
 void AddOracleEveryOption(CommandLine& line, int& oracle_every);
 
-/// The scene of the file, with the changes and the duration asked for, if any, in place of its own.
+/// @throws SceneError unless it is from one time step up to kMaxDuration.
+void CheckDuration(double duration, double time_step);
+
+/// Gives a scene the duration asked for, if any, in place of its own.
+/// @throws SceneError about one that it cannot have.
+void SetDuration(Scene& scene, const std::optional<double>& duration);
+
+/// The scene of the file, with the duration asked for, if any.
 /// @throws SceneError about the file, or about a duration that it cannot have.
-Scene LoadSceneFor(const std::filesystem::path& file, const std::optional<double>& duration,
-                   const SceneChanges& changes = {});
+Scene LoadSceneFor(const std::filesystem::path& file, const std::optional<double>& duration);
 
 }  // namespace dgd_demos

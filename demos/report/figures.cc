@@ -20,6 +20,8 @@ constexpr std::array kFigures = {
            [](const RunSummary& run) { return run.mean_true; }},
     Figure{"  the deepest in the last second (cm)", "deepest_at_rest_m", "%.3g", 1e-2,
            [](const RunSummary& run) { return run.deepest_at_rest; }},
+    Figure{"  pairs that could not be judged", "unjudged_pairs", "%.0f", 1,
+           [](const RunSummary& run) { return static_cast<double>(run.unjudged_pairs); }, Figure::Over::kSum},
     Figure{"time to rest (s)", "time_to_rest_s", "%.3f", 1, [](const RunSummary& run) { return run.time_to_rest; }},
     Figure{"kinetic energy at the end (J)", "kinetic_energy_end_j", "%.4f", 1,
            [](const RunSummary& run) { return run.kinetic_energy_end; }},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,10 +15,8 @@
 #include "report/progress_bar.h"
 #include "report/step_csv.h"
 #include "run/trajectory.h"
-#include "scene/bodies.h"
-#include "scene_options.h"
+#include "run/world_source.h"
 #include "simulation/drop_run.h"
-#include "simulation/world.h"
 
 namespace dgd_demos {
 namespace {
@@ -49,23 +48,23 @@ class Samples {
   std::optional<ContactFile> contacts_;
 };
 
-DropRun RunAndRecord(const Scene& scene, const std::vector<Body>& bodies, const NarrowphaseChoice& narrowphase,
-                     const RunOptions& options) {
+DropRun RunAndRecord(const WorldSource& source, const NarrowphaseChoice& narrowphase, const RunOptions& options) {
   const std::string name(NameOf(narrowphase.kind));
   StepCsv csv(options.out / (name + ".csv"),
-              {scene.file, options.seed, narrowphase.Name(), BulletPrecision(), DGD_DEMOS_BUILD_TYPE});
-  ProgressBar progress(name + std::string(8 - std::min<std::size_t>(name.size(), 8), ' '), scene.duration);
+              {options.world.string(), options.seed, narrowphase.Name(), BulletPrecision(), DGD_DEMOS_BUILD_TYPE});
+  ProgressBar progress(name + std::string(8 - std::min<std::size_t>(name.size(), 8), ' '), source.duration());
   std::optional<dgd_bullet::Recorder> recorder;
   if (options.record) recorder.emplace((options.out / (name + ".rec")).string());
-  World world(scene, bodies, narrowphase);
-  Samples samples(options, name, world);
+  const std::unique_ptr<SimulatedWorld> world = source.Make(narrowphase);
+  Samples samples(options, name, *world);
   const auto on_step = [&](const StepRecord& step) {
     csv.Write(step);
     samples.AddIfDue(step.time);
     progress.Update(step.time);
   };
-  DropRun run = RunWorld(world, {scene.duration, options.oracle_every, scene.snapshots}, on_step,
-                         recorder ? &*recorder : nullptr);
+  RunSettings settings{source.duration(), options.oracle_every};
+  if (source.scene()) settings.snapshots = source.scene()->snapshots;
+  DropRun run = RunWorld(*world, settings, on_step, recorder ? &*recorder : nullptr);
   if (recorder) recorder->Close();
   return run;
 }
@@ -73,8 +72,8 @@ DropRun RunAndRecord(const Scene& scene, const std::vector<Body>& bodies, const 
 }  // namespace
 
 ExitStatus Run(const RunOptions& options) {
-  const Scene scene = LoadSceneFor(options.world, options.duration);
-  const std::vector<Body> bodies = MakeBodies(scene, options.seed);
+  const WorldSource source({options.world, options.seed, options.duration, options.time_step});
+  for (const std::string& remark : source.Remarks()) std::fprintf(stderr, "%s\n", remark.c_str());
   std::vector<NarrowphaseChoice> narrowphases;
   for (const std::string& name : options.narrowphases) narrowphases.push_back(NarrowphaseChoice::Named(name));
   std::filesystem::create_directories(options.out);
@@ -82,13 +81,15 @@ ExitStatus Run(const RunOptions& options) {
   std::vector<NamedRun> runs;
   std::vector<TableColumn> columns;
   for (const NarrowphaseChoice& narrowphase : narrowphases) {
-    runs.push_back({narrowphase.kind, RunAndRecord(scene, bodies, narrowphase, options)});
+    runs.push_back({narrowphase.kind, RunAndRecord(source, narrowphase, options)});
     columns.push_back({std::string(NameOf(narrowphase.kind)), {FiguresOf(runs.back().run.summary)}});
   }
-  if (options.draw_snapshots) WritePictures(scene, bodies, options.seed, runs, options.out);
+  if (options.draw_snapshots && source.scene()) {
+    WritePictures(*source.scene(), source.bodies(), options.seed, runs, options.out);
+  }
 
   WriteTableCsv(options.out / "summary.csv", columns);
-  std::printf("%s, seed %llu, Bullet in %s precision\n\n%s\nResults are in %s\n", scene.file.c_str(),
+  std::printf("%s, seed %llu, Bullet in %s precision\n\n%s\nResults are in %s\n", options.world.c_str(),
               static_cast<unsigned long long>(options.seed), BulletPrecision(), FormatTable(columns).c_str(),
               options.out.c_str());
 

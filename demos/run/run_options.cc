@@ -32,6 +32,14 @@ Examples:
   headless_sim run my.json --precision both                     Bullet in float and in double, into out/float and
                                                                 out/double
   headless_sim run my.json --trajectory --sample-every 0.05     20 poses a second for NumPy
+  headless_sim run my_app.bullet --duration 20                  a world that your app has written with Bullet's
+                                                                serializer; of these no pictures are drawn
+
+To write your world from your app:
+  btDefaultSerializer serializer;
+  world->serialize(&serializer);
+  std::ofstream("my_app.bullet", std::ios::binary).write(
+      reinterpret_cast<const char*>(serializer.getBufferPointer()), serializer.getCurrentBufferSize());
 
 )";
 
@@ -46,6 +54,8 @@ constexpr const char* kFiles = R"(Written into DIR:
       queries                         those of them that Bullet's dispatcher did not skip as asleep
       fallbacks                       queries that the growth distance handed back to GJK/EPA
       deepest_true_penetration_m      by an exact oracle that shares no code with either narrowphase
+                                      (pairs with a mesh or another shape that it does not know are left
+                                      out of it, and counted in the table)
   builtin_t00.50s.png, ...      pictures at the scene's times; blue bodies are still, red ones fast
   end_state.png                 the end of the run; of both side by side, if both ran
   builtin.rec, dgd.rec          with --record: what the narrowphase was asked, for narrowphase_replay; one MB
@@ -65,12 +75,6 @@ or world, or the output cannot be written.)";
 constexpr const char* kDefaultScene = "scenes/polytopes_50.json";
 
 constexpr Limits<double> kSampleInterval = {0, 3600};  // s
-
-// A scene of this project by its name, or any file.
-std::filesystem::path WorldFile(const std::filesystem::path& world) {
-  if (world.has_extension()) return FindData(world);
-  return FindData("scenes" / world.parent_path() / (world.filename().string() + ".json"));
-}
 
 void AddOptions(CommandLine& line, RunOptions& options, std::string& narrowphase, bool& no_snapshots) {
   line.AddChoice("--narrowphase", "WHICH", narrowphase, {"dgd", "builtin", "both"}, "dgd, builtin or both");
@@ -95,6 +99,11 @@ void Complete(RunOptions& options, const std::string& narrowphase, bool no_snaps
 
 }  // namespace
 
+std::filesystem::path WorldFileNamed(const std::filesystem::path& world) {
+  if (world.has_extension() || world.has_parent_path()) return FindData(world);
+  return FindData("scenes" / std::filesystem::path(world.string() + ".json"));
+}
+
 std::variant<RunOptions, ExitStatus> ParsePolytopeDropOptions(int argc, const char* const* argv) {
   RunOptions options;
   options.world = FindData(kDefaultScene);
@@ -114,8 +123,10 @@ std::variant<RunOptions, ExitStatus> ParseRunOptions(int argc, const char* const
   bool no_snapshots = false;
   std::vector<std::string> settings;
   CommandLine line("headless_sim run", kRunDescription, std::string(kRunExamples) + kFiles);
-  line.AddArgument("world", "WORLD", options.world, "Scene file (JSON), or the name of a scene");
+  line.AddArgument("world", "WORLD", options.world,
+                   "Scene (.json or the name of one), or Bullet's world file (.bullet)");
   line.AddWords("--set", "LIST", settings, "Options of the plugin, as patch_size=2,friction_anchors=off");
+  line.AddNumber("--time-step", "S", options.time_step, "Length of a step in s, in place of the world's");
   line.AddChoice("--precision", "WHICH", options.precision, {"float", "double", "both"},
                  "Of Bullet: float, double or both");
   AddOptions(line, options, narrowphase, no_snapshots);
@@ -123,7 +134,7 @@ std::variant<RunOptions, ExitStatus> ParseRunOptions(int argc, const char* const
   std::string all_settings;
   for (const std::string& setting : settings) all_settings += (all_settings.empty() ? "" : ",") + setting;
   Complete(options, narrowphase, no_snapshots, all_settings);
-  options.world = WorldFile(options.world);
+  options.world = WorldFileNamed(options.world);
   return options;
 }
 

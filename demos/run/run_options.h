@@ -13,7 +13,7 @@
 namespace dgd_demos {
 
 struct RunOptions {
-  std::filesystem::path world;            ///< A scene.
+  std::filesystem::path world;            ///< A scene, or a world file of Bullet's.
   std::vector<std::string> narrowphases;  ///< As NarrowphaseChoice::Name(), in the order in which they run.
   std::string precision;                  ///< "float", "double" or "both"; empty: this program's.
   std::uint64_t seed = 1;
@@ -21,13 +21,16 @@ struct RunOptions {
   bool draw_snapshots = true;
   bool record = false;  ///< What the narrowphases are asked.
   bool write_trajectory = false, write_contacts = false;
-  double sample_interval = 0;      ///< Of trajectory and contacts, s; 0: every step.
-  std::optional<double> duration;  ///< s
-  int oracle_every = 1;            ///< Steps.
+  double sample_interval = 0;                 ///< Of trajectory and contacts, s; 0: every step.
+  std::optional<double> duration, time_step;  ///< s
+  int oracle_every = 1;                       ///< Steps.
 };
 
 /// The options, or the exit status if the program is to end now: after --help, or with a complaint on standard error.
 std::variant<RunOptions, ExitStatus> ParseRunOptions(int argc, const char* const* argv);
 std::variant<RunOptions, ExitStatus> ParsePolytopeDropOptions(int argc, const char* const* argv);
+
+/// A scene of this project by its name, or any file.
+std::filesystem::path WorldFileNamed(const std::filesystem::path& world);
 
 }  // namespace dgd_demos

@@ -5,6 +5,9 @@
 #include <variant>
 
 #include "scene/json_reader.h"
+#include "scene/scene_error.h"
+#include "world_file/bullet_file.h"
+#include "world_file/is_world_file.h"
 
 namespace dgd_demos {
 namespace {
@@ -14,6 +17,7 @@ using nlohmann::json;
 constexpr int kMaxSeed = 1'000'000'000;
 constexpr int kMaxSeeds = 100'000;
 constexpr int kMaxOracleEvery = 1'000'000;
+constexpr Range kTimeStep = {0, 0.1, /*low_is_allowed=*/false};  // s
 constexpr std::size_t kMaxRuns = 1'000'000;
 
 // [1, 2, 5], or { "from": 1, "to": 20 }.
@@ -69,8 +73,16 @@ std::vector<SceneChanges> ReadVariations(const JsonReader& vary, const json& doc
   return grid;
 }
 
-bool IsRandom(const Scene& scene) {
-  return std::ranges::any_of(scene.bodies,
+// Reads the world, so that what is wrong with it shows.
+bool HasRandomBodies(const std::filesystem::path& world, const SceneChanges& changes) {
+  if (IsWorldFile(world)) {
+    if (!changes.empty()) {
+      throw SceneError(world.string() + ": " + changes.front().first + ": is of scenes, and this is a world file");
+    }
+    ReadBulletFile(world);
+    return false;
+  }
+  return std::ranges::any_of(LoadScene(world, changes).bodies,
                              [](const BodyGroup& group) { return std::holds_alternative<RandomPolytopes>(group); });
 }
 
@@ -84,22 +96,25 @@ json RunSpec::ToJson() const {
                  {"seed", seed},           {"narrowphase", narrowphase},
                  {"precision", precision}, {"oracle_every", oracle_every}};
   if (duration) object["duration"] = *duration;
+  if (time_step) object["time_step"] = *time_step;
   return object;
 }
 
 RunSpec RunSpec::FromJson(const json& object) {
-  RunSpec spec{object.at("number"),      object.at("world"),       object.at("file"),      {},
-               object.at("seed"),        object.at("narrowphase"), object.at("precision"), std::nullopt,
-               object.at("oracle_every")};
+  RunSpec spec{object.at("number"), object.at("world"),       object.at("file"),      {},
+               object.at("seed"),   object.at("narrowphase"), object.at("precision"), std::nullopt,
+               std::nullopt,        object.at("oracle_every")};
   for (const json& change : object.at("changes")) spec.changes.emplace_back(change.at(0), change.at(1));
   if (object.contains("duration")) spec.duration = object.at("duration").get<double>();
+  if (object.contains("time_step")) spec.time_step = object.at("time_step").get<double>();
   return spec;
 }
 
 Study LoadStudy(const std::filesystem::path& file, const std::string& own_precision) {
   Study study{file.string(), "", ParseJsonFile(file), {}, {}};
   const JsonReader root(study.file, study.document);
-  root.AllowOnly({"about", "worlds", "narrowphases", "precisions", "seeds", "vary", "duration", "oracle_every"});
+  root.AllowOnly(
+      {"about", "worlds", "narrowphases", "precisions", "seeds", "vary", "duration", "time_step", "oracle_every"});
   study.about = root.At("about").Text();
 
   std::vector<std::string> narrowphases = {"builtin", "dgd"}, precisions = {own_precision};
@@ -116,7 +131,8 @@ Study LoadStudy(const std::filesystem::path& file, const std::string& own_precis
   if (root.Has("seeds")) seeds = ReadSeeds(root.At("seeds"));
   std::vector<SceneChanges> variations(1);
   if (root.Has("vary")) variations = ReadVariations(root.At("vary"), study.document.at("vary"));
-  std::optional<double> duration;
+  std::optional<double> duration, time_step;
+  if (root.Has("time_step")) time_step = root.At("time_step").Number(kTimeStep);
   if (root.Has("duration")) duration = root.At("duration").Number({0, kMaxDuration, /*low_is_allowed=*/false});
   int oracle_every = 1;
   if (root.Has("oracle_every")) oracle_every = root.At("oracle_every").Integer(1, kMaxOracleEvery);
@@ -132,13 +148,13 @@ Study LoadStudy(const std::filesystem::path& file, const std::string& own_precis
     const std::filesystem::path path = file.parent_path() / world;
     for (const SceneChanges& changes : variations) {
       // Seeds differ in random bodies alone.
-      const std::size_t runs_of_it = IsRandom(LoadScene(path, changes)) ? seeds.size() : 1;
+      const std::size_t runs_of_it = HasRandomBodies(path, changes) ? seeds.size() : 1;
       for (std::size_t s = 0; s < runs_of_it; ++s) {
         for (const std::string& narrowphase : narrowphases) {
           for (const std::string& precision : precisions) {
             const int number = static_cast<int>(study.runs.size());
-            study.runs.push_back(
-                {number, world, path.string(), changes, seeds[s], narrowphase, precision, duration, oracle_every});
+            study.runs.push_back({number, world, path.string(), changes, seeds[s], narrowphase, precision, duration,
+                                  time_step, oracle_every});
           }
         }
       }

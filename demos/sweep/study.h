@@ -20,10 +20,10 @@ struct RunSpec {
   std::string file;      ///< Where that is here.
   SceneChanges changes;  ///< Of the scene; empty for world files.
   std::uint64_t seed;
-  std::string narrowphase;         ///< As NarrowphaseChoice::Name().
-  std::string precision;           ///< "float" or "double".
-  std::optional<double> duration;  ///< s, in place of the world's.
-  int oracle_every;                ///< Steps.
+  std::string narrowphase;                    ///< As NarrowphaseChoice::Name().
+  std::string precision;                      ///< "float" or "double".
+  std::optional<double> duration, time_step;  ///< s, in place of the world's.
+  int oracle_every;                           ///< Steps.
 
   nlohmann::json ToJson() const;
   /// @throws nlohmann::json::exception on what ToJson() has not written.

@@ -16,13 +16,14 @@ tables of medians. What is done is not done again: called once more, it goes on 
 constexpr const char* kFooter = R"(
 STUDY is a JSON file:
   { "about": "friction and time step of the tower",
-    "worlds": ["tower_20.json"],                       from the study's folder on
+    "worlds": ["tower_20.json", "app.bullet"],         from the study's folder on
     "narrowphases": ["builtin", "dgd", "dgd:friction_anchors=off"],
     "seeds": { "from": 1, "to": 20 },                  or a list; only for scenes with random bodies
     "precisions": ["float", "double"],                 of Bullet; that of this program if left out
     "vary": { "/time_step": [0.002, 0.004],            all combinations of these values of the scene;
               "/ground/friction": [0.3, 0.6] },        or a list of objects with one value for each path
-    "duration": 10, "oracle_every": 10 }               s, steps; the scene's and 1 if left out
+    "duration": 10, "time_step": 0.004,                s, in place of the worlds' own
+    "oracle_every": 10 }                               steps; 1 if left out
 
 Examples:
   headless_sim sweep scenes/studies/contacts.json                   all scenes that contacts are judged by
@@ -40,7 +41,8 @@ Written into DIR:
 
 Figures, over a run:
   deepest penetration           as the contact points report it, and as it truly was: by an exact oracle that
-                                shares no code with either narrowphase. In the last second: at rest, that is
+                                shares no code with either narrowphase. In the last second: at rest, that is.
+                                Pairs with a mesh, or another shape that it does not know, are counted
   time to rest                  from when on the kinetic energy of all bodies stays below 0.01 J; "-": never
   energy dissipated             share of the kinetic and potential energy at the start
   largest rise of energy        of kinetic and potential energy together: over one step, and above the least

@@ -96,6 +96,31 @@ TEST_F(RunTest, Options_ReachThePlugin) {
             std::filesystem::file_size(Path("full/dgd_contacts.npy")));
 }
 
+// Out and in again: the world that the scene is, without its pictures.
+TEST_F(RunTest, WorldFile_RunsAsTheSceneThatItWasWrittenFrom) {
+  const Outcome exported = Run("export " + scene_ + " " + Path("box.bullet"));
+  ASSERT_EQ(exported.status, 0) << exported.output;
+  EXPECT_EQ(Count(exported.output, "box.bullet: 2 bodies"), 1) << exported.output;
+  const std::string options = " --duration 0.2 --time-step 0.004 --trajectory --out ";
+  const Outcome outcome = Run("run " + Path("box.bullet") + options + Path("world"));
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_EQ(Run("run " + scene_ + " --no-snapshots" + options + Path("scene")).status, 0);
+  EXPECT_EQ(ReadFile(Path("world/dgd_trajectory.npy")), ReadFile(Path("scene/dgd_trajectory.npy")));
+  EXPECT_FALSE(std::filesystem::exists(Path("world/end_state.png")));
+
+  const std::string study =
+      folder_.Write("study.json", R"({ "about": "a", "worlds": ["box.bullet"], "duration": 0.1 })").string();
+  EXPECT_EQ(Run("sweep " + study + " --out " + Path("study")).status, 0);
+
+  EXPECT_EQ(Run("run " + Path("box.bullet") + " --duration 1e9 --out " + Path("bad")).status, 2);
+  folder_.Write("cut.bullet", ReadFile(Path("box.bullet")).substr(0, 1000));
+  const Outcome cut = Run("run " + Path("cut.bullet") + " --out " + Path("bad"));
+  EXPECT_EQ(cut.status, 2);
+  EXPECT_EQ(Count(cut.output, "cut.bullet: "), 1) << cut.output;
+  EXPECT_EQ(Run("export " + scene_ + " " + Path("box.world")).status, 2) << "the name says what it is";
+  EXPECT_EQ(Run("export " + scene_ + " /dev/null/box.bullet").status, 2);
+}
+
 TEST_F(RunTest, BadInput_Status2) {
   for (const auto& [arguments, complaint] :
        std::vector<std::pair<std::string, std::string>>{{"", "world is required"},

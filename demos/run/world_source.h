@@ -1,0 +1,51 @@
+// What is to be simulated, a scene or a world file of Bullet's: read and checked once, and then made anew for each run.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/bodies.h"
+#include "scene/scene_file.h"
+#include "simulation/narrowphase.h"
+#include "simulation/simulated_world.h"
+
+namespace dgd_demos {
+
+struct WorldRequest {
+  std::filesystem::path file;       ///< .json: a scene; .bullet: what Bullet's serializer writes.
+  std::uint64_t seed = 1;           ///< Of a scene's random bodies.
+  std::optional<double> duration;   ///< s, in place of the scene's, or of kWorldFileDuration.
+  std::optional<double> time_step;  ///< s, in place of the world's own.
+  SceneChanges changes = {};        ///< Of a scene.
+};
+
+inline constexpr double kWorldFileDuration = 10;  ///< s; a world file has none.
+
+class WorldSource {
+ public:
+  /// @throws SceneError in a sentence that names file, place and value.
+  explicit WorldSource(const WorldRequest& request);
+
+  /// @throws SceneError, std::invalid_argument about an option of the narrowphase.
+  std::unique_ptr<SimulatedWorld> Make(const NarrowphaseChoice& narrowphase) const;
+
+  double duration() const { return duration_; }  ///< s
+  /// None for a world file.
+  const std::optional<Scene>& scene() const { return scene_; }
+  /// Of the scene; see MakeBodies().
+  const std::vector<Body>& bodies() const { return bodies_; }
+  /// Of a world file: what is not restored and what is not judged, a sentence each kind.
+  std::vector<std::string> Remarks() const;
+
+ private:
+  WorldRequest request_;
+  std::optional<Scene> scene_;
+  std::vector<Body> bodies_;
+  double duration_ = kWorldFileDuration;
+};
+
+}  // namespace dgd_demos
