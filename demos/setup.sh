@@ -3,10 +3,9 @@
 # them; they set `root`, the project's folder, first, and may set another preset and build folder afterwards.
 # shellcheck disable=SC2034,SC2154 # lists of packages are for them, root from them
 
-build_packages='build-essential cmake ninja-build pkg-config libbullet-dev libeigen3-dev libqhull-dev libassimp-dev
-  libosmesa6-dev libpng-dev nlohmann-json3-dev libcli11-dev'
-test_packages='libgtest-dev libglpk-dev libfcl-dev libompl-dev libopenmpi-dev openmpi-bin python3-numpy
-  doxygen'
+build_packages='build-essential cmake ninja-build pkg-config libbullet-dev libbullet-extras-dev libeigen3-dev
+  libqhull-dev libassimp-dev libosmesa6-dev libpng-dev nlohmann-json3-dev libcli11-dev'
+test_packages='libgtest-dev libglpk-dev libfcl-dev libompl-dev libopenmpi-dev openmpi-bin python3-numpy doxygen'
 preset=release
 build_dir=${DGD_BUILD_DIR:-$root/build/release}
 

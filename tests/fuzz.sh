@@ -16,7 +16,7 @@ cd "$root"
 . "$root/demos/setup.sh"
 build=build/fuzz
 seeds=tests/fuzz/corpus
-all_targets='hull plugin_world record_file scene_file solver'
+all_targets='hull plugin_world record_file scene_file solver world_file'
 # Bytes of an input, and seconds that one may take: the slowest honest one takes a tenth.
 most_bytes=2048
 most_seconds=20
