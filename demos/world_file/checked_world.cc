@@ -83,7 +83,7 @@ class Checker {
   Precision precision_;
   Blocks blocks_;
   ShapeCheck shapes_;
-  CheckedWorld world_;
+  CheckedWorld world_ = {};
   std::set<const Block*> restored_;    // Bodies and objects that constraints may have.
   std::set<const Block*> missing_;     // ... and those that cannot be restored.
   std::map<const Block*, int> links_;  // Of the multibodies that are restored: how many.

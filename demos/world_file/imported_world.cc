@@ -123,7 +123,7 @@ CheckedWorld LoadWorldBytes(const std::string& name, std::vector<std::byte> byte
   return CheckWorld(ParseBulletFile(name, std::move(bytes)), kOwnPrecision, OwnDna());
 }
 
-ImportedWorld::ImportedWorld(CheckedWorld file, const NarrowphaseChoice& narrowphase, std::optional<double> time_step)
+ImportedWorld::ImportedWorld(const CheckedWorld& file, const NarrowphaseChoice& narrowphase, std::optional<double> time_step)
     : configuration_(MakeCollisionConfiguration(narrowphase)),
       dispatcher_(configuration_.get()),
       remarks_(file.remarks) {

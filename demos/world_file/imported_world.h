@@ -32,7 +32,7 @@ CheckedWorld LoadWorldBytes(const std::string& name, std::vector<std::byte> byte
 class ImportedWorld : public SimulatedWorld {
  public:
   /// @param time_step  s; without it, that of the last step before the world was written.
-  ImportedWorld(CheckedWorld file, const NarrowphaseChoice& narrowphase,
+  ImportedWorld(const CheckedWorld& file, const NarrowphaseChoice& narrowphase,
                 std::optional<double> time_step = std::nullopt);
   ~ImportedWorld() override;
 

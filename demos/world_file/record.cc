@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <sstream>
 #include <utility>
@@ -62,7 +63,7 @@ double ReadNumber(Bytes bytes, std::size_t offset, std::string_view type) {
 void ClearPointers(const Dna& dna, const Dna::Structure& structure, std::size_t length, std::byte* memory) {
   dna.ForEachPointer(structure, [&](std::size_t offset) {
     for (std::size_t begin = 0; begin + structure.size <= length; begin += structure.size) {
-      std::memset(memory + begin + offset, 0, sizeof(void*));
+      std::fill_n(memory + begin + offset, sizeof(void*), std::byte(0));
     }
   });
 }

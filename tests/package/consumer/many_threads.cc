@@ -12,9 +12,8 @@
 
 #include "dgd_bullet/collision_configuration.h"
 
-#if !BT_THREADSAFE
-#error "This Bullet is built with threads, and BT_THREADSAFE is not defined"
-#endif
+// Not defined for a Bullet without threads; here it must be, by the package.
+static_assert(BT_THREADSAFE);
 
 int main() {
   const std::unique_ptr<btITaskScheduler> scheduler(btCreateDefaultTaskScheduler());
