@@ -34,15 +34,6 @@ Polyhedron AlongAxis(int axis, Polyhedron polyhedron) {
   return polyhedron;
 }
 
-std::optional<Polyhedron> HullOf(const std::vector<Vector3d>& points) {
-  if (points.size() > kMostVertices) return std::nullopt;
-  try {
-    return ConvexHull(points);
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;  // Flat: the oracle knows no polygons.
-  }
-}
-
 RoundedPolyhedron CoreOfBox(const btBoxShape& box) {
   const Shape shape = Box{FromBullet(box.getHalfExtentsWithMargin())};
   const double margin = double(box.getMargin());
@@ -68,9 +59,8 @@ std::optional<RoundedPolyhedron> CoreOfCone(const btConeShape& cone) {
 std::optional<RoundedPolyhedron> CoreOfHull(const btConvexHullShape& hull) {
   std::vector<Vector3d> points;
   for (int i = 0; i < hull.getNumPoints(); ++i) points.push_back(FromBullet(hull.getScaledPoint(i)));
-  auto core = HullOf(points);
-  if (!core) return std::nullopt;
-  return RoundedPolyhedron{std::move(*core), double(hull.getMargin())};
+  if (points.size() > kMostVertices) return std::nullopt;
+  return RoundedPolyhedron{ConvexHull(points), double(hull.getMargin())};
 }
 
 std::optional<RoundedPolyhedron> CoreOfMultiSphere(const btMultiSphereShape& spheres) {
@@ -92,30 +82,12 @@ std::optional<RoundedPolyhedron> CoreOfMultiSphere(const btMultiSphereShape& sph
     segment.vertices = centres;
     return RoundedPolyhedron{std::move(segment), radius};
   }
-  auto core = HullOf(centres);
-  if (!core) return std::nullopt;
-  return RoundedPolyhedron{std::move(*core), radius};
+  if (centres.size() > kMostVertices) return std::nullopt;
+  return RoundedPolyhedron{ConvexHull(centres), radius};
 }
 
-// False if a part has no core.
-bool AddParts(const btCollisionShape& shape, const Pose& pose, std::vector<OraclePart>& parts) {
-  if (shape.isConvex()) {
-    auto core = RoundedCoreOf(static_cast<const btConvexShape&>(shape));
-    if (!core) return false;
-    parts.push_back({std::move(*core), pose});
-    return true;
-  }
-  if (!shape.isCompound()) return false;
-  const auto& compound = static_cast<const btCompoundShape&>(shape);
-  for (int i = 0; i < compound.getNumChildShapes(); ++i) {
-    if (!AddParts(*compound.getChildShape(i), pose * FromBullet(compound.getChildTransform(i)), parts)) return false;
-  }
-  return true;
-}
-
-}  // namespace
-
-std::optional<RoundedPolyhedron> RoundedCoreOf(const btConvexShape& shape) {
+// @throws std::invalid_argument as ConvexHull().
+std::optional<RoundedPolyhedron> SolidCoreOf(const btConvexShape& shape) {
   switch (shape.getShapeType()) {
     case SPHERE_SHAPE_PROXYTYPE:
       return RoundedPolyhedron{PointPolyhedron(), double(static_cast<const btSphereShape&>(shape).getRadius())};
@@ -138,6 +110,36 @@ std::optional<RoundedPolyhedron> RoundedCoreOf(const btConvexShape& shape) {
       return std::nullopt;
   }
 }
+
+}  // namespace
+
+std::optional<RoundedPolyhedron> RoundedCoreOf(const btConvexShape& shape) {
+  try {
+    return SolidCoreOf(shape);
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;  // Flat, or as good as: the oracle knows no polygons.
+  }
+}
+
+namespace {
+
+// False if a part has no core.
+bool AddParts(const btCollisionShape& shape, const Pose& pose, std::vector<OraclePart>& parts) {
+  if (shape.isConvex()) {
+    auto core = RoundedCoreOf(static_cast<const btConvexShape&>(shape));
+    if (!core) return false;
+    parts.push_back({std::move(*core), pose});
+    return true;
+  }
+  if (!shape.isCompound()) return false;
+  const auto& compound = static_cast<const btCompoundShape&>(shape);
+  for (int i = 0; i < compound.getNumChildShapes(); ++i) {
+    if (!AddParts(*compound.getChildShape(i), pose * FromBullet(compound.getChildTransform(i)), parts)) return false;
+  }
+  return true;
+}
+
+}  // namespace
 
 OracleBody OracleBodyOf(const btCollisionShape& shape) {
   OracleBody body;

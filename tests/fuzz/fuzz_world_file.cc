@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -67,6 +69,14 @@ void Write(File& file, std::size_t position, T value) {
   if (position + sizeof(T) <= file.size()) std::memcpy(file.data() + position, &value, sizeof(T));
 }
 
+// What is too large for a float is infinite in one.
+float ToFloat(double number) {
+  constexpr double kGreatest = std::numeric_limits<float>::max();
+  return std::abs(number) <= kGreatest || std::isnan(number)
+             ? static_cast<float>(number)
+             : std::copysign(std::numeric_limits<float>::infinity(), static_cast<float>(number > 0 ? 1 : -1));
+}
+
 void Change(FuzzInput& input, Pieces& pieces) {
   const int kind = input.Below(8);
   const auto chosen = input.Bits<std::uint16_t>();
@@ -77,10 +87,10 @@ void Change(FuzzInput& input, Pieces& pieces) {
   const std::size_t position = place % chunk.size() / 4 * 4;
   switch (kind) {
     case 0:
-      Write(chunk, position, static_cast<float>(number));
+      Write(chunk, position, ToFloat(number));
       break;
     case 1:
-      Write(chunk, position, static_cast<std::int32_t>(std::clamp(number, -2e9, 2e9)));
+      Write(chunk, position, std::isnan(number) ? -1 : static_cast<std::int32_t>(std::clamp(number, -2e9, 2e9)));
       break;
     case 2:
       Write(chunk, position, number);

@@ -74,6 +74,13 @@ TEST(RoundedCoreTest, WhatHasNone) {
     for (const int y : {0, 1}) flat.addPoint(btVector3(btScalar(x), btScalar(y), 0));
   }
   EXPECT_FALSE(RoundedCoreOf(flat));
+  // A file may have any size, as this that the fuzzer found: a disc, to Qhull.
+  btCylinderShapeZ disc(btVector3(1, 1, 1));
+  disc.setImplicitShapeDimensions(btVector3(btScalar(1e14), btScalar(1e14), btScalar(0.3)));
+  EXPECT_FALSE(RoundedCoreOf(disc));
+  btBoxShape sheet(btVector3(1, 1, 1));
+  sheet.setImplicitShapeDimensions(btVector3(1, 1, -sheet.getMargin()));
+  EXPECT_FALSE(RoundedCoreOf(sheet));
   EXPECT_FALSE(RoundedCoreOf(btTriangleShape(btVector3(0, 0, 0), btVector3(1, 0, 0), btVector3(0, 1, 0))));
 }
 
