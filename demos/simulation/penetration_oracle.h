@@ -51,8 +51,8 @@ std::vector<OracleBody> OracleBodiesOf(const std::vector<Body>& bodies);
 /// the pair's last known axis bounds its depth from above, which leaves a few pairs a step for the full computation.
 ///
 /// Two remarks on what "true" means. Cylinders and cones are judged as the prisms and pyramids that CoreOf() gives, so
-/// their depth may come out short by 0.12 % of their radius. Boxes are judged with the little rounding of their edges that
-/// RoundingRadius() has, although Bullet's special box-box algorithm takes them as sharp.
+/// their depth may come out short by 0.12 % of their radius. Boxes are judged with the little rounding of their edges
+/// that RoundingRadius() has, although Bullet's special box-box algorithm takes them as sharp.
 class PenetrationOracle {
  public:
   explicit PenetrationOracle(const std::vector<Body>& bodies) : PenetrationOracle(OracleBodiesOf(bodies)) {}
