@@ -92,6 +92,10 @@ std::variant<SweepOptions, ExitStatus> ParseSweepOptions(int argc, const char* c
     std::cerr << "--shard: must be I/N with I from 1 to N, as 3/10, not " << shard << '\n';
     return kBadInput;
   }
+  if (!shard.empty() && !options.merge.empty()) {
+    std::cerr << "--merge: runs nothing, and so has no use for --shard\n";
+    return kBadInput;
+  }
   options.study = FindData(options.study);
   if (options.out.empty()) options.out = std::filesystem::path("out") / options.study.stem();
   return options;

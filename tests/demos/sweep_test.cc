@@ -181,6 +181,7 @@ TEST_F(SweepTest, BadInput_Status2BeforeAnythingRuns) {
            {"sweep " + study_ + " --shard 4/3", "--shard: must be I/N"},
            {"sweep " + study_ + " --shard 0/3", "--shard: must be I/N"},
            {"sweep " + study_ + " --jobs 0", "--jobs"},
+           {"sweep " + study_ + " --shard 1/2 --merge x", "--merge: runs nothing"},
            {"sweep " + study_ + " --merge nowhere", "nowhere has no results"},
            {"swep", "There is no command swep"},
            {"", "Usage: headless_sim COMMAND"}}) {
