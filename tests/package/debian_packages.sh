@@ -24,6 +24,11 @@ DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends install "$m
 dpkg -L $packages | sort -u >"$work/installed"
 libraries=$(dirname "$(grep '/libdgd_bullet\.so$' "$work/installed")")
 
+# Eigen, which is installed here, need not be for an app of Bullet's.
+for module in dgd_bullet dgd_bullet-float64; do
+  ! pkg-config --print-requires --print-requires-private $module | grep -E 'eigen|dgd_core' ||
+    fail "pkg-config wants Eigen for $module"
+done
 for precision in float float64; do
   sh "$root/tests/package/pkg_config.sh" "$root/tests/package/consumer" "$work/$precision" "$libraries" "$precision" g++
   cmake -S "$root/tests/package/consumer" -B "$work/cmake-$precision" -DPRECISION=$precision >/dev/null
