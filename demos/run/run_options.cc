@@ -64,7 +64,9 @@ constexpr const char* kFiles = R"(Written into DIR:
                                 run that was killed; columns time, position (of the centre of mass), orientation
                                 (x, y, z, w), velocity, angular_velocity: ["position"][sample, body]
   builtin_contacts.npy, ...     with --contacts: a row a contact point; columns time, body_a, body_b, position_a,
-                                position_b, normal (from B to A), distance, impulse (N s, along the normal)
+                                position_b, normal (from B to A), distance, impulse (N s, along the normal).
+                                Found at the poses that the step began with, so those of one step before "time";
+                                dgd's that the step closes have distance -1e-9 and places that are still apart
   bodies.csv                    with either: the names of the bodies
   summary.csv                   the table that is printed at the end; its wall time counts Bullet's steps
                                 alone, without oracle, files and pictures

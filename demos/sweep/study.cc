@@ -20,12 +20,21 @@ constexpr int kMaxOracleEvery = 1'000'000;
 constexpr Range kTimeStep = {0, 0.1, /*low_is_allowed=*/false};  // s
 constexpr std::size_t kMaxRuns = 1'000'000;
 
+// What is there twice would count as two samples of a median.
+template <class Value>
+void FailAtRepetition(const std::vector<Value>& values, const JsonReader& array) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::ranges::count(values, values[i]) > 1) array.At(i).Fail("is there twice, " + array.At(i).Dump());
+  }
+}
+
 // [1, 2, 5], or { "from": 1, "to": 20 }.
 std::vector<std::uint64_t> ReadSeeds(const JsonReader& seeds) {
   std::vector<std::uint64_t> list;
   if (seeds.IsArray()) {
     for (std::size_t i = 0; i < seeds.Size(); ++i) list.push_back(std::uint64_t(seeds.At(i).Integer(0, kMaxSeed)));
     if (list.empty()) seeds.Fail("must hold at least one seed");
+    FailAtRepetition(list, seeds);
     return list;
   }
   seeds.AllowOnly({"from", "to"});
@@ -39,8 +48,8 @@ std::vector<std::string> ReadTexts(const JsonReader& array) {
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < array.Size(); ++i) {
     texts.push_back(array.At(i).Text());
-    if (std::ranges::count(texts, texts.back()) > 1) array.At(i).Fail("is there twice, " + array.At(i).Dump());
   }
+  FailAtRepetition(texts, array);
   if (texts.empty()) array.Fail("must hold at least one entry");
   return texts;
 }
@@ -54,12 +63,14 @@ std::vector<SceneChanges> ReadVariations(const JsonReader& vary, const json& doc
       for (const std::string& path : vary.At(i).Keys()) changes.emplace_back(path, document[i].at(path));
     }
     if (list.empty()) vary.Fail("must hold at least one entry");
+    FailAtRepetition(list, vary);
     return list;
   }
   std::vector<SceneChanges> grid(1);
   for (const std::string& path : vary.Keys()) {
     const JsonReader values = vary.At(path);
     if (values.Size() == 0) values.Fail("must hold at least one value");
+    FailAtRepetition(document.at(path).get<std::vector<json>>(), values);
     std::vector<SceneChanges> finer;
     for (const SceneChanges& coarse : grid) {
       for (const json& value : document.at(path)) {
@@ -142,6 +153,9 @@ Study LoadStudy(const std::filesystem::path& file, const std::string& own_precis
     for (const auto& [path, value] : changes) varied.insert(path);
   }
   study.varied.assign(varied.begin(), varied.end());
+  for (const char* key : {"duration", "time_step"}) {
+    if (root.Has(key) && varied.contains(std::string("/") + key)) root.At(key).Fail("is varied as well; leave one out");
+  }
 
   const std::vector<std::string> worlds = ReadTexts(root.At("worlds"));
   for (const std::string& world : worlds) {

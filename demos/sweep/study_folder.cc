@@ -32,13 +32,15 @@ std::string Hash(const std::string& text) {
   return digits;
 }
 
-// The study, and what its worlds were when it began.
+// The study, what its worlds were when it began, and the precisions, which may be those of the program.
 json IdentityOf(const Study& study) {
   json worlds = json::object();
+  std::set<std::string> precisions;
   for (const RunSpec& run : study.runs) {
     if (!worlds.contains(run.world)) worlds[run.world] = Hash(ReadWhole(run.file));
+    precisions.insert(run.precision);
   }
-  return {{"study", study.document}, {"worlds", worlds}, {"runs", study.runs.size()}};
+  return {{"study", study.document}, {"worlds", worlds}, {"precisions", precisions}, {"runs", study.runs.size()}};
 }
 
 }  // namespace
@@ -72,9 +74,10 @@ StudyFolder::StudyFolder(const std::filesystem::path& folder, const Study& study
   const json there = json::parse(ReadWhole(file), nullptr, /*allow_exceptions=*/false);
   if (there == identity) return;
   const bool same_study = there.is_object() && there.value("study", json()) == study.document;
-  throw std::runtime_error(folder_.string() + ": has runs of " +
-                           (same_study ? "this study with worlds that have changed since" : "another study") +
-                           "; choose another folder, or remove this one");
+  throw std::runtime_error(
+      folder_.string() + ": has runs of " +
+      (same_study ? "this study in another precision, or with worlds that have changed since" : "another study") +
+      "; choose another folder, or remove this one");
 }
 
 std::filesystem::path StudyFolder::FileOf(int number) const {

@@ -26,11 +26,9 @@ std::string ValueAt(const SceneChanges& changes, const std::string& path) {
   return change == changes.end() ? "" : change->second.dump();
 }
 
-std::string NameOf(const std::string& world) { return std::filesystem::path(world).stem().string(); }
-
-// "tower_20, /time_step 0.004, Bullet in float"
+// "tower_20.json, /time_step 0.004, Bullet in float": the world as the study names it, which no other one has.
 std::string TitleOf(const RunSpec& run) {
-  std::string title = NameOf(run.world);
+  std::string title = run.world;
   for (const auto& [path, value] : run.changes) title += ", " + path + " " + value.dump();
   return title + ", Bullet in " + run.precision;
 }

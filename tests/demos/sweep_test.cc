@@ -73,7 +73,7 @@ TEST_F(SweepTest, OneProcessTwoJobsAndShards_GiveTheSameCsv) {
   EXPECT_EQ(Count(one.output, "40 of 40 runs are done"), 1);
   EXPECT_EQ(Count(one.output, "median of 5 runs"), 4);
   EXPECT_EQ(Count(Csv("one"), "\n"), 41);
-  EXPECT_EQ(ReadFile(Path("one/tables.txt")).find("random, /time_step 0.002, Bullet in float"), 0U);
+  EXPECT_EQ(ReadFile(Path("one/tables.txt")).find("random.json, /time_step 0.002, Bullet in float"), 0U);
 
   EXPECT_EQ(Sweep("--jobs 2", "two").status, 0);
   EXPECT_EQ(Csv("two"), Csv("one"));

@@ -76,7 +76,7 @@ TEST_F(StudyTest, Slips_AreNamed) {
            {R"("seeds": { "from": 5, "to": 4 })", "/seeds/to: must be from 5"},
            {R"("seeds": [1.5])", "/seeds/0: must be an integer, not 1.5"},
            {R"("precisions": ["half"])", "/precisions/0: must be float or double, not half"},
-           {R"("narrowphases": ["dgd", "dgd"])", "/narrowphases/1: is there twice"},
+           {R"("narrowphases": ["dgd", "dgd"])", "/narrowphases/0: is there twice"},
            {R"("vary": { "/time_step": [-1] })", "box.json: /time_step: must be above 0"},
            {R"("vary": { "/timestep": [0.1] })", "box.json: /timestep: is not a known key"},
            {R"("vary": { "/bodies/7/mass": [1] })", "box.json: /bodies/7/mass: is not in the scene"},
@@ -84,6 +84,9 @@ TEST_F(StudyTest, Slips_AreNamed) {
            {R"("vary": { "mass": [1] })", "box.json: mass: is no JSON path"},
            {R"("vary": { "": [1] })", "is the whole scene"},
            {R"("vary": { "/time_step": [] })", "must hold at least one value"},
+           {R"("seeds": [1, 2, 1])", "/seeds/0: is there twice"},
+           {R"("vary": { "/time_step": [0.004, 0.0040] })", "/vary/~1time_step/0: is there twice"},
+           {R"("time_step": 0.004, "vary": { "/time_step": [0.002] })", "/time_step: is varied as well"},
            {R"("vary": 3)", "/vary: must be an object"},
            {R"("duration": 0)", "/duration: must be above 0"},
            {R"("oracle_every": 0)", "/oracle_every: must be from 1"}}) {
@@ -133,6 +136,7 @@ TEST_F(StudyTest, Folder_KeepsRecordsAndKnowsItsStudy) {
   const StudyFolder again(out, study);
   EXPECT_EQ(again.ReadRecords().size(), 1U);
   EXPECT_TRUE(again.ReadRecords().contains(1));
+  EXPECT_THROW(StudyFolder(out, LoadStudy(folder_.path() / "study.json", "double")), std::runtime_error);
   EXPECT_THROW(StudyFolder(out, Load(R"({ "about": "b", "worlds": ["box.json"] })")), std::runtime_error);
 
   folder_.Write("out/runs/000000.json", "{\"run\"");
@@ -159,7 +163,7 @@ TEST_F(StudyTest, CsvAndTables_HaveWhatIsDoneInTheStudysOrder) {
   EXPECT_LT(csv.find("\n2,"), csv.find("\n5,"));
 
   const std::string tables = StudyTables(study, records);
-  EXPECT_NE(tables.find("random, Bullet in float, median of 2 runs, 1 run not done yet\n"), std::string::npos)
+  EXPECT_NE(tables.find("random.json, Bullet in float, median of 2 runs, 1 run not done yet\n"), std::string::npos)
       << tables;
   EXPECT_NE(tables.find("[1] dgd:patch_size=2,warm_start=off\n"), std::string::npos) << tables;
   EXPECT_NE(tables.find("run 3, seed 2, dgd:patch_size=2,warm_start=off: failed: ended, by signal 11\n"),
