@@ -28,14 +28,22 @@ CLI::Validator Within(const Limits<Number>& limits) {
   return Silent(CLI::Range(limits.least, limits.most) & is_number);
 }
 
+template <class Value>
+constexpr bool kIsList = false;
+template <class Entry>
+constexpr bool kIsList<std::vector<Entry>> = true;
+
 }  // namespace
 
 struct CommandLine::Parser {
   CLI::App app;
 
+  /// Of an option that is given several times, the last one counts, as in most programs; lists have all their entries.
   template <class Value>
   CLI::Option& Add(const std::string& name, const std::string& kind, Value& value, const std::string& help) {
-    return *app.add_option(name, value, help)->type_name(kind);
+    CLI::Option& option = *app.add_option(name, value, help)->type_name(kind);
+    if constexpr (!kIsList<Value>) option.take_last();
+    return option;
   }
 
   /// A value that may be empty: --help shows no default then.

@@ -2,19 +2,20 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "command_line.h"
 #include "program_main.h"
 #include "run/export_command.h"
 #include "run/run_command.h"
 #include "scene/json_reader.h"
 #include "scene_options.h"
+#include "sibling_program.h"
 #include "simulation/narrowphase.h"
-#include "sweep/local_workers.h"
 #include "sweep/run_one.h"
 #include "sweep/sweep_command.h"
 
@@ -39,8 +40,16 @@ int Help(std::FILE* stream, int status) {
   return status;
 }
 
-// The scenes of this project, each with the first sentence of what it says about itself.
-int List() {
+struct ListOptions {};
+
+std::variant<ListOptions, ExitStatus> ParseListOptions(int argc, const char* const* argv) {
+  CommandLine line("headless_sim list", "Lists the scenes that come with this program, for `run` and `export`.", "");
+  if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
+  return ListOptions{};
+}
+
+// The scenes of this project, each with the first sentence of its description.
+ExitStatus List(const ListOptions&) {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(FindData("scenes"))) {
     if (entry.path().extension() == ".json") files.push_back(entry.path());
@@ -53,27 +62,13 @@ int List() {
   return kSuccess;
 }
 
-// A run of a study, as JSON, from `sweep`; its record goes back the same way.
-int One(const char* spec) {
-  std::cout << ToLine(RunOne(RunSpec::FromJson(nlohmann::json::parse(spec)))) << std::endl;
+// `one SPEC`, by which `sweep` starts each run: RunSpec::ToJson() as an argument, ToLine() of its record as output.
+ExitStatus One(const std::string& spec) {
+  std::printf("%s\n", ToLine(RunOne(RunSpec::FromJson(nlohmann::json::parse(spec)))).c_str());
   return kSuccess;
 }
 
-// Options apart from those named, each of which has a value.
-std::vector<std::string> Without(int argc, char** argv, const std::vector<std::string>& names) {
-  std::vector<std::string> kept;
-  for (int i = 0; i < argc; ++i) {
-    const std::string argument = argv[i];
-    if (std::ranges::count(names, argument) > 0) {
-      ++i;
-    } else if (std::ranges::none_of(names, [&](const auto& name) { return argument.starts_with(name + "="); })) {
-      kept.push_back(argument);
-    }
-  }
-  return kept;
-}
-
-// `run`, in this program or the one of the other precision; or in both, into a folder each.
+// `run`, by the program of the precision requested, or by both, into a folder each. Of the arguments, the last count.
 int RunInPrecision(int argc, char** argv) {
   const auto parsed = ParseRunOptions(argc, argv);
   const auto* options = std::get_if<RunOptions>(&parsed);
@@ -84,8 +79,8 @@ int RunInPrecision(int argc, char** argv) {
   for (const std::string precision : {"float", "double"}) {
     if (options->precision != "both" && options->precision != precision) continue;
     const std::filesystem::path out = options->precision == "both" ? options->out / precision : options->out;
-    std::vector<std::string> arguments = Without(argc, argv, {"--precision", "--out"});
-    arguments.insert(arguments.end(), {"--out", out.string()});
+    std::vector<std::string> arguments(argv, argv + argc);
+    arguments.insert(arguments.end(), {"--precision", precision, "--out", out.string()});
     worst = std::max(worst, RunAndWait(ProgramFor(precision), arguments));
   }
   return worst;
@@ -96,10 +91,10 @@ int Main(int argc, char** argv) {
   if (command == "run") return RunInPrecision(argc - 1, argv + 1);
   if (command == "export") return RunProgram(ParseExportOptions(argc - 1, argv + 1), Export);
   if (command == "sweep") return RunProgram(ParseSweepOptions(argc - 1, argv + 1), Sweep);
-  if (command == "list" && argc == 2) return List();
-  if (command == "one" && argc == 3) return One(argv[2]);
+  if (command == "list") return RunProgram(ParseListOptions(argc - 1, argv + 1), List);
+  if (command == "one" && argc == 3) return RunProgram(std::variant<std::string, ExitStatus>(argv[2]), One);
   if (command == "--help" || command == "-h") return Help(stdout, kSuccess);
-  if (!command.empty()) std::fprintf(stderr, "There is no command %s.\n", argv[1]);
+  if (!command.empty()) std::fprintf(stderr, "%s is not a command.\n", argv[1]);
   return Help(stderr, kBadInput);
 }
 

@@ -7,12 +7,6 @@
 #include "scene/scene_error.h"
 
 namespace dgd_demos {
-namespace {
-
-constexpr int kMaxOracleEvery = 1'000'000;
-
-}  // namespace
-
 std::filesystem::path FindData(const std::filesystem::path& name) {
   std::error_code ignored;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);

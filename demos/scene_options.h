@@ -18,6 +18,8 @@ std::filesystem::path FindData(const std::filesystem::path& name);
 /// Adds --duration.
 void AddDurationOption(CommandLine& line, std::optional<double>& duration);
 
+inline constexpr int kMaxOracleEvery = 1'000'000;  ///< Steps.
+
 /// Adds --oracle-every.
 void AddOracleEveryOption(CommandLine& line, int& oracle_every);
 

@@ -8,7 +8,7 @@
 #include "run/run_options.h"
 #include "run/world_source.h"
 #include "scene/scene_error.h"
-#include "world_file/is_world_file.h"
+#include "world_file/bullet_file.h"
 #include "world_file/write_world.h"
 
 namespace dgd_demos {

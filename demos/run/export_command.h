@@ -16,7 +16,7 @@ struct ExportOptions {
 
 std::variant<ExportOptions, ExitStatus> ParseExportOptions(int argc, const char* const* argv);
 
-/// @throws SceneError
+/// @throws SceneError about the scene; std::runtime_error if the file cannot be written.
 ExitStatus Export(const ExportOptions& options);
 
 }  // namespace dgd_demos

@@ -73,7 +73,7 @@ DropRun RunAndRecord(const WorldSource& source, const NarrowphaseChoice& narrowp
 
 ExitStatus Run(const RunOptions& options) {
   const WorldSource source({options.world, options.seed, options.duration, options.time_step});
-  for (const std::string& remark : source.Remarks()) std::fprintf(stderr, "%s\n", remark.c_str());
+  for (const std::string& remark : source.remarks()) std::fprintf(stderr, "%s\n", remark.c_str());
   std::vector<NarrowphaseChoice> narrowphases;
   for (const std::string& name : options.narrowphases) narrowphases.push_back(NarrowphaseChoice::Named(name));
   std::filesystem::create_directories(options.out);

@@ -1,7 +1,5 @@
 #include "run/run_options.h"
 
-#include <map>
-
 #include "command_line.h"
 #include "scene_options.h"
 
@@ -58,7 +56,7 @@ constexpr const char* kFiles = R"(Written into DIR:
                                       out of it, and counted in the table)
   builtin_t00.50s.png, ...      pictures at the scene's times; blue bodies are still, red ones fast
   end_state.png                 the end of the run; of both side by side, if both ran
-  builtin.rec, dgd.rec          with --record: what the narrowphase was asked, for narrowphase_replay; one MB
+  builtin.rec, dgd.rec          with --record: the queries of the narrowphase, for narrowphase_replay; one MB
                                 holds 5000 pairs (10000 in float)
   builtin_trajectory.npy, ...   with --trajectory: for numpy.load(), poses and velocities of all bodies, also of a
                                 run that was killed; columns time, position (of the centre of mass), orientation
@@ -85,11 +83,11 @@ void AddOptions(CommandLine& line, RunOptions& options, std::string& narrowphase
   AddDurationOption(line, options.duration);
   AddOracleEveryOption(line, options.oracle_every);
   line.AddFlag("--no-snapshots", no_snapshots, "Draw no pictures");
-  line.AddFlag("--record", options.record, "Write down what each narrowphase is asked");
+  line.AddFlag("--record", options.record, "Record the queries of each narrowphase");
   line.AddFlag("--trajectory", options.write_trajectory, "Write poses and velocities for NumPy");
   line.AddFlag("--contacts", options.write_contacts, "Write the contacts for NumPy");
   line.AddNumber("--sample-every", "S", options.sample_interval, kSampleInterval,
-                 "Simulated time from one sample of these to the next in s; 0: every step");
+                 "Simulated time from one sample of these to the next in s, each at the nearest\nstep; 0: every step");
 }
 
 void Complete(RunOptions& options, const std::string& narrowphase, bool no_snapshots, const std::string& settings) {

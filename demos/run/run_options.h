@@ -19,9 +19,9 @@ struct RunOptions {
   std::uint64_t seed = 1;
   std::filesystem::path out = "out";
   bool draw_snapshots = true;
-  bool record = false;  ///< What the narrowphases are asked.
+  bool record = false;  ///< Record the queries of each narrowphase.
   bool write_trajectory = false, write_contacts = false;
-  double sample_interval = 0;                 ///< Of trajectory and contacts, s; 0: every step.
+  double sample_interval = 0;                 ///< Time between samples of trajectory and contacts, s; 0: every step.
   std::optional<double> duration, time_step;  ///< s
   int oracle_every = 1;                       ///< Steps.
 };
@@ -30,7 +30,7 @@ struct RunOptions {
 std::variant<RunOptions, ExitStatus> ParseRunOptions(int argc, const char* const* argv);
 std::variant<RunOptions, ExitStatus> ParsePolytopeDropOptions(int argc, const char* const* argv);
 
-/// A scene of this project by its name, or any file.
+/// Path of a scene of this project by its name ("tower_20"), or of any file.
 std::filesystem::path WorldFileNamed(const std::filesystem::path& world);
 
 }  // namespace dgd_demos

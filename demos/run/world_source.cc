@@ -5,7 +5,7 @@
 #include "scene/scene_error.h"
 #include "scene_options.h"
 #include "simulation/world.h"
-#include "world_file/is_world_file.h"
+#include "world_file/bullet_file.h"
 #ifdef DGD_DEMOS_WORLD_FILES
 #include "world_file/imported_world.h"
 #endif
@@ -13,22 +13,17 @@
 namespace dgd_demos {
 namespace {
 
-constexpr double kLongestTimeStep = 0.1;  // s
-
 void CheckTimeStep(double time_step) {
-  if (time_step > 0 && time_step <= kLongestTimeStep) return;  // False for NaN.
+  if (time_step > 0 && time_step <= kMaxTimeStep) return;  // False for NaN.
   std::ostringstream complaint;
-  complaint << "--time-step: must be above 0, up to " << kLongestTimeStep << " s, not " << time_step;
+  complaint << "--time-step: must be above 0, up to " << kMaxTimeStep << " s, not " << time_step;
   throw SceneError(complaint.str());
 }
 
-#ifdef DGD_DEMOS_WORLD_FILES
-std::unique_ptr<ImportedWorld> Import(const WorldRequest& request, const NarrowphaseChoice& narrowphase) {
-  return std::make_unique<ImportedWorld>(LoadWorldFile(request.file), narrowphase, request.time_step);
-}
-#else
-std::unique_ptr<SimulatedWorld> Import(const WorldRequest& request, const NarrowphaseChoice&) {
-  throw SceneError(request.file.string() +
+#ifndef DGD_DEMOS_WORLD_FILES
+// Without Bullet's reader of world files.
+CheckedWorld LoadWorldFile(const std::filesystem::path& file) {
+  throw SceneError(file.string() +
                    ": this program is built without Bullet's reader of world files (Debian's package is "
                    "libbullet-extras-dev)");
 }
@@ -36,31 +31,30 @@ std::unique_ptr<SimulatedWorld> Import(const WorldRequest& request, const Narrow
 
 }  // namespace
 
-WorldSource::WorldSource(const WorldRequest& request) : request_(request) {
-  if (request.time_step) CheckTimeStep(*request.time_step);
+WorldSource::WorldSource(const WorldRequest& request) : time_step_(request.time_step) {
+  if (time_step_) CheckTimeStep(*time_step_);
   if (IsWorldFile(request.file)) {
-    const double time_step = Import(request, Narrowphase::kBuiltin)->time_step();
+    world_file_ = LoadWorldFile(request.file);
     if (request.duration) duration_ = *request.duration;
-    CheckDuration(duration_, time_step);
+#ifdef DGD_DEMOS_WORLD_FILES
+    const ImportedWorld world(*world_file_, Narrowphase::kBuiltin, time_step_);
+    CheckDuration(duration_, world.time_step());
+    remarks_ = world.Remarks();
+#endif
     return;
   }
   scene_ = LoadScene(request.file, request.changes);
-  if (request.time_step) scene_->time_step = *request.time_step;
+  if (time_step_) scene_->time_step = *time_step_;
   SetDuration(*scene_, request.duration);
   duration_ = scene_->duration;
   bodies_ = MakeBodies(*scene_, request.seed);
 }
 
 std::unique_ptr<SimulatedWorld> WorldSource::Make(const NarrowphaseChoice& narrowphase) const {
-  if (scene_) return std::make_unique<World>(*scene_, bodies_, narrowphase);
-  return Import(request_, narrowphase);
-}
-
-std::vector<std::string> WorldSource::Remarks() const {
 #ifdef DGD_DEMOS_WORLD_FILES
-  if (!scene_) return Import(request_, Narrowphase::kBuiltin)->Remarks();
+  if (world_file_) return std::make_unique<ImportedWorld>(*world_file_, narrowphase, time_step_);
 #endif
-  return {};
+  return std::make_unique<World>(*scene_, bodies_, narrowphase);
 }
 
 }  // namespace dgd_demos

@@ -1,4 +1,4 @@
-// What is to be simulated, a scene or a world file of Bullet's: read and checked once, and then made anew for each run.
+// A scene or a world file of Bullet's, read and checked once, from which each run makes its own world.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,16 @@
 #include "scene/scene_file.h"
 #include "simulation/narrowphase.h"
 #include "simulation/simulated_world.h"
+#include "world_file/checked_world.h"
 
 namespace dgd_demos {
 
 struct WorldRequest {
   std::filesystem::path file;       ///< .json: a scene; .bullet: what Bullet's serializer writes.
-  std::uint64_t seed = 1;           ///< Of a scene's random bodies.
+  std::uint64_t seed = 1;           ///< Seed of a scene's random bodies.
   std::optional<double> duration;   ///< s, in place of the scene's, or of kWorldFileDuration.
   std::optional<double> time_step;  ///< s, in place of the world's own.
-  SceneChanges changes = {};        ///< Of a scene.
+  SceneChanges changes = {};        ///< Values of a scene in place of the file's.
 };
 
 inline constexpr double kWorldFileDuration = 10;  ///< s; a world file has none.
@@ -36,15 +37,17 @@ class WorldSource {
   double duration() const { return duration_; }  ///< s
   /// None for a world file.
   const std::optional<Scene>& scene() const { return scene_; }
-  /// Of the scene; see MakeBodies().
+  /// Bodies of the scene; see MakeBodies().
   const std::vector<Body>& bodies() const { return bodies_; }
-  /// Of a world file: what is not restored and what is not judged, a sentence each kind.
-  std::vector<std::string> Remarks() const;
+  /// What is not restored of a world file and what is not judged, a sentence for each kind.
+  const std::vector<std::string>& remarks() const { return remarks_; }
 
  private:
-  WorldRequest request_;
+  std::optional<double> time_step_;  // s
   std::optional<Scene> scene_;
   std::vector<Body> bodies_;
+  std::optional<CheckedWorld> world_file_;
+  std::vector<std::string> remarks_;
   double duration_ = kWorldFileDuration;
 };
 

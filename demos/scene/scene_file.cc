@@ -22,12 +22,12 @@ constexpr Range kMassOrStatic = {0, 1e6};                       // kg
 constexpr Range kInertia = {0, 1e9, /*low_is_allowed=*/false};  // kg m^2
 constexpr Range kFriction = {0, 10};
 constexpr Range kRestitution = {0, 1};
-constexpr Range kDamping = {0, 1};                               // Of 1, in a second.
-constexpr Range kAcceleration = {-1e3, 1e3};                     // m/s^2
-constexpr Range kVelocity = {-1e3, 1e3};                         // m/s
-constexpr Range kAngularVelocity = {-1e3, 1e3};                  // rad/s
-constexpr Range kTimeStep = {0, 0.1, /*low_is_allowed=*/false};  // s
-constexpr Range kMargin = {0, 1};                                // m
+constexpr Range kDamping = {0, 1};                                        // Of 1, in a second.
+constexpr Range kAcceleration = {-1e3, 1e3};                              // m/s^2
+constexpr Range kVelocity = {-1e3, 1e3};                                  // m/s
+constexpr Range kAngularVelocity = {-1e3, 1e3};                           // rad/s
+constexpr Range kTimeStep = {0, kMaxTimeStep, /*low_is_allowed=*/false};  // s
+constexpr Range kMargin = {0, 1};                                         // m
 constexpr int kMaxCount = 10'000;
 constexpr int kMaxSolverIterations = 10'000;
 

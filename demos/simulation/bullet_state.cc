@@ -38,12 +38,6 @@ std::vector<BodyPair> IndexPairs(const btOverlappingPairCache& pairs) {
   return indices;
 }
 
-bool IsFinite(const btRigidBody& body) {
-  const Pose pose = FromBullet(body.getWorldTransform());
-  return pose.position.allFinite() && pose.rotation.allFinite() && FromBullet(body.getLinearVelocity()).allFinite() &&
-         FromBullet(body.getAngularVelocity()).allFinite();
-}
-
 double KineticEnergy(const btRigidBody& body) {
   const Eigen::Matrix3d rotation = FromBullet(body.getWorldTransform()).rotation;
   const Vector3d velocity = FromBullet(body.getLinearVelocity());

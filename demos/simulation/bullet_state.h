@@ -18,7 +18,6 @@ CollisionReport ReportStep(TimingDispatcher& dispatcher, const btOverlappingPair
 /// By the objects' user indices.
 std::vector<BodyPair> IndexPairs(const btOverlappingPairCache& pairs);
 
-bool IsFinite(const btRigidBody& body);         ///< Pose and velocities.
 double KineticEnergy(const btRigidBody& body);  ///< J
 
 }  // namespace dgd_demos

@@ -49,12 +49,6 @@ class Stepper {
 
 int StepCount(double duration, double time_step) { return static_cast<int>(std::lround(duration / time_step)); }
 
-std::vector<TalliedBody> TalliedBodies(const SimulatedWorld& world) {
-  std::vector<TalliedBody> bodies;
-  for (const SimulatedBody& body : world.Bodies()) bodies.push_back({body.moves, body.start, body.radius});
-  return bodies;
-}
-
 }  // namespace
 
 int StepCount(const Scene& scene) { return StepCount(scene.duration, scene.time_step); }
@@ -81,7 +75,7 @@ DropRun RunWorld(SimulatedWorld& world, const RunSettings& settings,
   take_due_pictures(0);
 
   const double time_step = world.time_step();
-  Tally tally(settings.duration, time_step, TalliedBodies(world), world.TotalEnergy());
+  Tally tally(settings.duration, time_step, world.Bodies(), world.TotalEnergy());
   const int step_count = StepCount(settings.duration, time_step);
   for (int number = 1; number <= step_count && !run.failure; ++number) {
     const StepRecord step = stepper.Step(number);

@@ -1,10 +1,9 @@
-// A world that is simulated, wherever it comes from: a scene, or a file of Bullet's. A run needs no more of it than
-// this.
+// A simulated world, from a scene or from a file of Bullet's. A run needs no more of it than this.
 #pragma once
 
 #include <dgd_bullet/recorder.h>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,18 +12,12 @@
 #include "scene/scene.h"
 #include "simulation/collision_input.h"
 #include "simulation/penetration_oracle.h"
+#include "simulation/simulated_body.h"
 #include "simulation/step_record.h"
 
 class btDynamicsWorld;
 
 namespace dgd_demos {
-
-struct SimulatedBody {
-  std::string name;       ///< For messages.
-  bool moves;             ///< False: static.
-  Eigen::Vector3d start;  ///< Of the local origin at the beginning, m.
-  double radius;          ///< Of the ball about the local origin that contains it, m; infinite if there is none.
-};
 
 class SimulatedWorld {
  public:
@@ -33,14 +26,14 @@ class SimulatedWorld {
   SimulatedWorld& operator=(const SimulatedWorld&) = delete;
   virtual ~SimulatedWorld() = default;
 
-  /// From the next step on, the recorder gets what the narrowphase is asked. It must outlive this.
+  /// From the next step on, the recorder gets the queries of the narrowphase. It must outlive this.
   virtual void RecordInto(dgd_bullet::Recorder& recorder) = 0;
 
   virtual double time_step() const = 0;  ///< s
   /// Advances by the time step.
   virtual CollisionReport Step() = 0;
 
-  /// All bodies; their order is that of all that is said of each.
+  /// All bodies, in the order of poses, motions and the oracle's bodies.
   virtual const std::vector<SimulatedBody>& Bodies() const = 0;
   /// What the oracle judges them by.
   virtual std::vector<OracleBody> OracleBodies() const = 0;
@@ -53,17 +46,13 @@ class SimulatedWorld {
   std::vector<double> Speeds() const;  ///< Of the centres of mass, m/s.
   virtual Energy TotalEnergy() const = 0;
 
-  /// A sentence about the first body that has left the world or has a pose or a velocity that is not finite.
-  virtual std::optional<std::string> FindLostBody() const = 0;
+  /// Box in which the centres of moving bodies are expected, world frame, m.
+  virtual Eigen::AlignedBox3d Room() const = 0;
+  /// A sentence about the first moving body that has left the room, or has a pose or a velocity that is not finite.
+  std::optional<std::string> FindLostBody() const;
 
   /// The world itself, with all of Bullet's objects; their user indices are the bodies'.
   virtual btDynamicsWorld& Bullet() = 0;
 };
-
-inline std::vector<double> SimulatedWorld::Speeds() const {
-  std::vector<double> speeds;
-  for (const Motion& motion : Motions()) speeds.push_back(motion.velocity.norm());
-  return speeds;
-}
 
 }  // namespace dgd_demos

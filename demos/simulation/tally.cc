@@ -16,20 +16,9 @@ constexpr double kPlaceShare = 0.5;
 
 double Total(const Energy& energy) { return energy.kinetic + energy.potential; }
 
-std::vector<TalliedBody> TalliedBodies(const std::vector<Body>& bodies) {
-  std::vector<TalliedBody> tallied;
-  for (const Body& body : bodies) {
-    tallied.push_back({body.mass > 0, body.pose.position, BoundingRadius(body.shape, body.margin)});
-  }
-  return tallied;
-}
-
 }  // namespace
 
-Tally::Tally(const Scene& scene, const std::vector<Body>& bodies, const Energy& initial)
-    : Tally(scene.duration, scene.time_step, TalliedBodies(bodies), initial) {}
-
-Tally::Tally(double duration, double time_step, std::vector<TalliedBody> bodies, const Energy& initial)
+Tally::Tally(double duration, double time_step, std::vector<SimulatedBody> bodies, const Energy& initial)
     : bodies_(std::move(bodies)),
       duration_(duration),
       time_step_(time_step),
@@ -84,7 +73,7 @@ void Tally::AddSpeeds(const StepRecord& step, const std::vector<double>& speeds)
 
 void Tally::MeasureDisplacement(const std::vector<Pose>& end_poses, RunSummary& summary) const {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const TalliedBody& body = bodies_[i];
+    const SimulatedBody& body = bodies_[i];
     const double displacement = (end_poses[i].position - body.start).norm();
     summary.displacement = std::max(summary.displacement, displacement);
     const bool in_place = displacement <= kPlaceShare * body.radius;  // False for NaN.

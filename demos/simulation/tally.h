@@ -1,29 +1,20 @@
 // The sums and extremes of a run as it goes.
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
-#include "scene/bodies.h"
 #include "scene/pose.h"
-#include "scene/scene.h"
 #include "simulation/run_summary.h"
+#include "simulation/simulated_body.h"
 #include "simulation/step_record.h"
 
 namespace dgd_demos {
 
-struct TalliedBody {
-  bool moves;
-  Eigen::Vector3d start;  ///< m
-  double radius;          ///< Of the ball about the local origin that contains it, m.
-};
-
 class Tally {
  public:
-  /// @param initial  energy before the first step.
-  Tally(const Scene& scene, const std::vector<Body>& bodies, const Energy& initial);
   /// @param duration, time_step  s
-  Tally(double duration, double time_step, std::vector<TalliedBody> bodies, const Energy& initial);
+  /// @param initial  energy before the first step.
+  Tally(double duration, double time_step, std::vector<SimulatedBody> bodies, const Energy& initial);
 
   /// @param speeds  of all bodies after the step, in their order, m/s.
   void Add(const StepRecord& step, const std::vector<double>& speeds);
@@ -40,7 +31,7 @@ class Tally {
   void AddSpeeds(const StepRecord& step, const std::vector<double>& speeds);
   void MeasureDisplacement(const std::vector<Pose>& end_poses, RunSummary& summary) const;
 
-  std::vector<TalliedBody> bodies_;
+  std::vector<SimulatedBody> bodies_;
   double duration_, time_step_;  // s
   double initial_energy_;        // J
   RunSummary sums_;

@@ -1,8 +1,6 @@
 #include "simulation/world.h"
 
 #include <algorithm>
-#include <cmath>
-#include <sstream>
 #include <utility>
 
 #include "simulation/bullet_math.h"
@@ -44,8 +42,7 @@ World::World(const Scene& scene, const std::vector<Body>& bodies, const Narrowph
   double highest = 0;
   for (const Body& body : bodies) highest = std::max(highest, body.pose.position.z());
   const Vector3d& ground = scene.ground.half_extents;
-  room_min_ = -ground;
-  room_max_ = Vector3d(ground.x(), ground.y(), highest + kHeadroom);
+  room_ = {-ground, Vector3d(ground.x(), ground.y(), highest + kHeadroom)};
 }
 
 void World::AddBody(const Body& body, int index) {
@@ -62,7 +59,7 @@ void World::AddBody(const Body& body, int index) {
   rigid_bodies_.back()->setAngularVelocity(ToBullet(body.motion.angular_velocity));
   if (!may_sleep_) rigid_bodies_.back()->setActivationState(DISABLE_DEACTIVATION);
   world_.addRigidBody(rigid_bodies_.back().get());
-  bodies_.push_back({body.name, body.mass > 0, body.pose.position, BoundingRadius(body.shape, body.margin)});
+  bodies_.push_back(SimulatedBodyOf(body));
 }
 
 CollisionReport World::Step() {
@@ -97,22 +94,6 @@ Energy World::TotalEnergy() const {
     energy.potential -= body->getMass() * gravity_.dot(FromBullet(body->getWorldTransform().getOrigin()));
   }
   return energy;
-}
-
-std::optional<std::string> World::FindLostBody() const {
-  for (std::size_t i = 0; i < rigid_bodies_.size(); ++i) {
-    const btRigidBody& body = *rigid_bodies_[i];
-    if (body.isStaticObject()) continue;
-    if (!IsFinite(body)) return bodies_[i].name + " has a pose or a velocity that is not finite";
-    const Vector3d position = FromBullet(body.getWorldTransform().getOrigin());
-    if ((position.array() < room_min_.array()).any() || (position.array() > room_max_.array()).any()) {
-      std::ostringstream sentence;
-      sentence << bodies_[i].name << " left the world at (" << position.x() << ", " << position.y() << ", "
-               << position.z() << ") m";
-      return sentence.str();
-    }
-  }
-  return std::nullopt;
 }
 
 }  // namespace dgd_demos

@@ -2,18 +2,17 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <filesystem>
 #include <stdexcept>
+
+#include "sibling_program.h"
 
 namespace dgd_demos {
 namespace {
@@ -22,7 +21,7 @@ constexpr int kCannotBeStarted = 127;  // As shells have it.
 
 // Does not return.
 [[noreturn]] void Become(const std::string& program, const std::string& run, int pipe) {
-  // A process that is left alone is of no use; and Ctrl-C on a terminal is for the sweep, which then ends this one.
+  // Ends with the sweep; and leaves Ctrl-C on a terminal to it.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   setpgid(0, 0);
   dup2(pipe, STDOUT_FILENO);
@@ -31,7 +30,7 @@ constexpr int kCannotBeStarted = 127;  // As shells have it.
   _exit(kCannotBeStarted);
 }
 
-// The last line that says something, and whether it ends with a newline or not.
+// The last line that is not empty.
 std::string LastLine(const std::string& text) {
   const std::size_t last = text.find_last_not_of(" \n\r\t");
   if (last == std::string::npos) return "";
@@ -42,10 +41,10 @@ std::string LastLine(const std::string& text) {
 
 RunRecord Failure(int run, const std::string& message) { return {run, RunRecord::Status::kFailed, message, "", {}}; }
 
-// What a child that has ended leaves: its record, or why there is none.
+// The record that a finished child has printed, or a record of why there is none.
 RunRecord RecordOf(int run, int status, const std::string& output) {
   const std::string last = LastLine(output);
-  const std::string remark = last.empty() ? "" : "; the last that it said: " + last;
+  const std::string remark = last.empty() ? "" : "; its last line: " + last;
   if (WIFSIGNALED(status)) {
     const int signal = WTERMSIG(status);
     return Failure(run, "ended by signal " + std::to_string(signal) + " (" + strsignal(signal) + ")" + remark);
@@ -59,29 +58,6 @@ RunRecord RecordOf(int run, int status, const std::string& output) {
 }
 
 }  // namespace
-
-std::string ProgramFor(const std::string& precision) {
-  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
-  const std::filesystem::path program =
-      self.parent_path() / (precision == "float" ? "headless_sim" : "headless_sim_float64");
-  if (!std::filesystem::exists(program)) {
-    throw std::runtime_error(program.string() + ": is not there, which simulates with Bullet in " + precision);
-  }
-  return program.string();
-}
-
-int RunAndWait(const std::string& program, const std::vector<std::string>& arguments) {
-  std::vector<char*> argv = {const_cast<char*>(program.c_str())};
-  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-  argv.push_back(nullptr);
-  pid_t process = 0;
-  const int error = posix_spawn(&process, program.c_str(), nullptr, nullptr, argv.data(), environ);
-  if (error != 0) throw std::runtime_error(program + ": cannot be started: " + std::strerror(error));
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
 
 LocalWorkers::LocalWorkers(int jobs) : jobs_(jobs) {}
 
@@ -110,7 +86,7 @@ void LocalWorkers::Start(const RunSpec& run) {
 std::optional<RunRecord> LocalWorkers::Wait(std::chrono::milliseconds patience) {
   std::vector<pollfd> polled;
   for (const Child& child : children_) polled.push_back({child.pipe, POLLIN, 0});
-  // Interrupted or in vain: the caller looks around, and comes again.
+  // A signal, or nothing within the time.
   if (poll(polled.data(), polled.size(), static_cast<int>(patience.count())) <= 0) return std::nullopt;
   for (std::size_t i = 0; i < polled.size(); ++i) {
     if (polled[i].revents == 0) continue;

@@ -17,8 +17,7 @@ class LocalWorkers : public Workers {
   /// Ends what still runs.
   ~LocalWorkers() override;
 
-  int idle() const override { return jobs_ - busy(); }
-  int busy() const override { return static_cast<int>(children_.size()); }
+  int idle() const override { return jobs_ - static_cast<int>(children_.size()); }
   /// @throws std::runtime_error if no process can be made.
   void Start(const RunSpec& run) override;
   std::optional<RunRecord> Wait(std::chrono::milliseconds patience) override;
@@ -34,15 +33,5 @@ class LocalWorkers : public Workers {
   int jobs_;
   std::vector<Child> children_;
 };
-
-/// Runs a program in the place of this one, as far as its streams go, until it ends.
-/// @return its exit status; 128 and its number if a signal ended it, as shells have it.
-/// @throws std::runtime_error if it cannot be started.
-int RunAndWait(const std::string& program, const std::vector<std::string>& arguments);
-
-/// This program, or its sibling in the same folder that is built for the other precision.
-/// @param precision  "float" or "double".
-/// @throws std::runtime_error if it is not there.
-std::string ProgramFor(const std::string& precision);
 
 }  // namespace dgd_demos

@@ -29,15 +29,16 @@ std::string Receive(const MPI_Status& status) {
   return text;
 }
 
-// MPI waits by turning over and over, at the cost of a processor that the runs can use.
+// MPI's own wait spins, at the cost of a processor that the runs can use.
 bool WaitFor(Tag tag, std::chrono::milliseconds patience, MPI_Status& status) {
   constexpr std::chrono::milliseconds kNap(2);
-  for (std::chrono::milliseconds waited(0); waited <= patience; waited += kNap) {
+  const auto deadline = std::chrono::steady_clock::now() + patience;
+  do {
     int is_there = 0;
     MPI_Iprobe(MPI_ANY_SOURCE, tag, MPI_COMM_WORLD, &is_there, &status);
     if (is_there != 0) return true;
     std::this_thread::sleep_for(kNap);
-  }
+  } while (std::chrono::steady_clock::now() < deadline);
   return false;
 }
 
@@ -62,7 +63,6 @@ class MpiWorkers : public Workers {
   }
 
   int idle() const override { return static_cast<int>(idle_.size()); }
-  int busy() const override { return size_ - 1 - idle(); }
   void Start(const RunSpec& run) override {
     Send(run.ToJson().dump(), idle_.back(), kRun);
     idle_.pop_back();

@@ -6,8 +6,8 @@
 
 #include "scene/json_reader.h"
 #include "scene/scene_error.h"
+#include "scene_options.h"
 #include "world_file/bullet_file.h"
-#include "world_file/is_world_file.h"
 
 namespace dgd_demos {
 namespace {
@@ -16,8 +16,7 @@ using nlohmann::json;
 
 constexpr int kMaxSeed = 1'000'000'000;
 constexpr int kMaxSeeds = 100'000;
-constexpr int kMaxOracleEvery = 1'000'000;
-constexpr Range kTimeStep = {0, 0.1, /*low_is_allowed=*/false};  // s
+constexpr Range kTimeStep = {0, kMaxTimeStep, /*low_is_allowed=*/false};  // s
 constexpr std::size_t kMaxRuns = 1'000'000;
 
 // What is there twice would count as two samples of a median.
@@ -122,14 +121,14 @@ RunSpec RunSpec::FromJson(const json& object) {
 }
 
 Study LoadStudy(const std::filesystem::path& file, const std::string& own_precision) {
-  Study study{file.string(), "", ParseJsonFile(file), {}, {}};
+  Study study{file.string(), ParseJsonFile(file), {"builtin", "dgd"}, {}, {}};
   const JsonReader root(study.file, study.document);
   root.AllowOnly(
       {"about", "worlds", "narrowphases", "precisions", "seeds", "vary", "duration", "time_step", "oracle_every"});
-  study.about = root.At("about").Text();
+  root.At("about").Text();
 
-  std::vector<std::string> narrowphases = {"builtin", "dgd"}, precisions = {own_precision};
-  if (root.Has("narrowphases")) narrowphases = ReadTexts(root.At("narrowphases"));
+  std::vector<std::string> precisions = {own_precision};
+  if (root.Has("narrowphases")) study.narrowphases = ReadTexts(root.At("narrowphases"));
   if (root.Has("precisions")) {
     precisions = ReadTexts(root.At("precisions"));
     for (std::size_t i = 0; i < precisions.size(); ++i) {
@@ -164,7 +163,7 @@ Study LoadStudy(const std::filesystem::path& file, const std::string& own_precis
       // Seeds differ in random bodies alone.
       const std::size_t runs_of_it = HasRandomBodies(path, changes) ? seeds.size() : 1;
       for (std::size_t s = 0; s < runs_of_it; ++s) {
-        for (const std::string& narrowphase : narrowphases) {
+        for (const std::string& narrowphase : study.narrowphases) {
           for (const std::string& precision : precisions) {
             const int number = static_cast<int>(study.runs.size());
             study.runs.push_back({number, world, path.string(), changes, seeds[s], narrowphase, precision, duration,

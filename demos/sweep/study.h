@@ -31,9 +31,9 @@ struct RunSpec {
 };
 
 struct Study {
-  std::string file;  ///< As given by the user.
-  std::string about;
-  nlohmann::json document;          ///< As read.
+  std::string file;                       ///< As given by the user.
+  nlohmann::json document;                ///< As read.
+  std::vector<std::string> narrowphases;  ///< In the order of its tables' columns.
   std::vector<std::string> varied;  ///< JSON paths that its runs change, in alphabetical order: columns of its CSV.
   std::vector<RunSpec> runs;        ///< Worlds first, then changes, seeds, narrowphases and precisions.
 };

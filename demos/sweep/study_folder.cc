@@ -1,15 +1,13 @@
 #include "sweep/study_folder.h"
 
-#include <unistd.h>
-
-#include <cerrno>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <set>
 #include <stdexcept>
+
+#include "report/whole_file.h"
 
 namespace dgd_demos {
 namespace {
@@ -45,30 +43,12 @@ json IdentityOf(const Study& study) {
 
 }  // namespace
 
-void WriteWhole(const std::filesystem::path& file, const std::string& text) {
-  // Shards of a study may write the same file at once.
-  char host[256] = {};
-  gethostname(host, sizeof host - 1);
-  const std::string part = file.string() + "." + host + "." + std::to_string(getpid()) + ".part";
-  const auto fail = [&] {
-    const std::string reason = std::strerror(errno);
-    std::remove(part.c_str());
-    throw std::runtime_error(file.string() + ": cannot be written: " + reason);
-  };
-  std::FILE* stream = std::fopen(part.c_str(), "wb");
-  if (stream == nullptr) fail();
-  const bool is_written = std::fwrite(text.data(), 1, text.size(), stream) == text.size() && std::fflush(stream) == 0 &&
-                          fsync(fileno(stream)) == 0;
-  const bool is_closed = std::fclose(stream) == 0;
-  if (!is_written || !is_closed || std::rename(part.c_str(), file.c_str()) != 0) fail();
-}
-
 StudyFolder::StudyFolder(const std::filesystem::path& folder, const Study& study) : folder_(folder) {
   std::filesystem::create_directories(folder_ / "runs");
   const std::filesystem::path file = folder_ / "study.json";
   const json identity = IdentityOf(study);
   if (!std::filesystem::exists(file)) {
-    WriteWhole(file, identity.dump(2) + "\n");
+    WriteWholeFile(file, identity.dump(2) + "\n");
     return;
   }
   const json there = json::parse(ReadWhole(file), nullptr, /*allow_exceptions=*/false);
@@ -102,7 +82,7 @@ std::map<int, RunRecord> StudyFolder::ReadRecords() const {
   return records;
 }
 
-void StudyFolder::Write(const RunRecord& record) const { WriteWhole(FileOf(record.number), ToLine(record) + "\n"); }
+void StudyFolder::Write(const RunRecord& record) const { WriteWholeFile(FileOf(record.number), ToLine(record) + "\n"); }
 
 void StudyFolder::TakeFrom(const StudyFolder& other) const {
   for (const auto& [number, record] : other.ReadRecords()) Write(record);

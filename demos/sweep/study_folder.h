@@ -35,8 +35,4 @@ class StudyFolder {
   std::filesystem::path folder_;
 };
 
-/// Writes a file as a whole, or not at all: whoever reads it never sees a part.
-/// @throws std::runtime_error if it cannot be written, as on a full disk.
-void WriteWhole(const std::filesystem::path& file, const std::string& text);
-
 }  // namespace dgd_demos

@@ -48,20 +48,21 @@ TableColumn& ColumnOf(Group& group, const std::string& narrowphase) {
 
 std::vector<Group> GroupsOf(const Study& study, const std::map<int, RunRecord>& records) {
   std::vector<Group> groups;
+  std::map<std::string, std::size_t> by_title;
   for (const RunSpec& run : study.runs) {
-    const std::string title = TitleOf(run);
-    auto group = std::ranges::find(groups, title, &Group::title);
-    if (group == groups.end()) group = groups.insert(groups.end(), Group{title, {}, "", 0});
-    TableColumn& column = ColumnOf(*group, run.narrowphase);
+    const auto [place, is_new] = by_title.emplace(TitleOf(run), groups.size());
+    if (is_new) groups.push_back({place->first, {}, "", 0});
+    Group& group = groups[place->second];
+    TableColumn& column = ColumnOf(group, run.narrowphase);
     const auto record = records.find(run.number);
     if (record == records.end()) {
-      ++group->missing;
+      ++group.missing;
       continue;
     }
     if (record->second.status != RunRecord::Status::kFailed) column.runs.push_back(record->second.figures);
     if (record->second.status != RunRecord::Status::kDone) {
-      group->remarks += "run " + std::to_string(run.number) + ", seed " + std::to_string(run.seed) + ", " +
-                        run.narrowphase + ": " + NameOf(record->second.status) + ": " + record->second.message + "\n";
+      group.remarks += "run " + std::to_string(run.number) + ", seed " + std::to_string(run.seed) + ", " +
+                       run.narrowphase + ": " + NameOf(record->second.status) + ": " + record->second.message + "\n";
     }
   }
   return groups;

@@ -10,6 +10,8 @@
 #include <string>
 
 #include "report/progress_bar.h"
+#include "report/whole_file.h"
+#include "scene/scene_error.h"
 #include "simulation/narrowphase.h"
 #include "sweep/local_workers.h"
 #include "sweep/study.h"
@@ -47,7 +49,8 @@ std::vector<RunSpec> PendingRuns(const Study& study, const std::map<int, RunReco
 
 // Carries out the runs, and keeps each record as soon as it is there.
 void CarryOut(const std::vector<RunSpec>& runs, Workers& workers, const StudyFolder& folder) {
-  constexpr std::chrono::milliseconds kPatience(200);
+  // Short: when a sweep is stopped, mpirun leaves it one second to write its results.
+  constexpr std::chrono::milliseconds kPatience(100);
   ProgressBar progress(std::to_string(runs.size()) + " runs", static_cast<double>(runs.size()));
   std::size_t started = 0, done = 0;
   while (done < runs.size() && is_interrupted == 0) {
@@ -63,9 +66,9 @@ void CarryOut(const std::vector<RunSpec>& runs, Workers& workers, const StudyFol
 
 ExitStatus Report(const Study& study, const StudyFolder& folder, const SweepOptions& options) {
   const std::map<int, RunRecord> records = folder.ReadRecords();
-  WriteWhole(folder.path() / "runs.csv", StudyCsv(study, records));
+  WriteWholeFile(folder.path() / "runs.csv", StudyCsv(study, records));
   const std::string tables = StudyTables(study, records);
-  WriteWhole(folder.path() / "tables.txt", tables);
+  WriteWholeFile(folder.path() / "tables.txt", tables);
 
   constexpr std::ptrdiff_t kMostLines = 400;  // Of what people read on a terminal.
   if (std::ranges::count(tables, '\n') <= kMostLines) {
@@ -84,9 +87,20 @@ ExitStatus Report(const Study& study, const StudyFolder& folder, const SweepOpti
   return all_well ? kSuccess : kLostBody;
 }
 
+// Options of the plugin are known only where there is Bullet, so not to LoadStudy().
+void CheckNarrowphases(const Study& study) {
+  for (std::size_t i = 0; i < study.narrowphases.size(); ++i) {
+    try {
+      NarrowphaseChoice::Named(study.narrowphases[i]);
+    } catch (const std::invalid_argument& error) {
+      throw SceneError(study.file + ": /narrowphases/" + std::to_string(i) + ": " + error.what());
+    }
+  }
+}
+
 ExitStatus SweepWith(Workers& workers, const SweepOptions& options) {
   const Study study = LoadStudy(options.study, BulletPrecision());
-  for (const RunSpec& run : study.runs) NarrowphaseChoice::Named(run.narrowphase);
+  CheckNarrowphases(study);
   const StudyFolder folder(options.out, study);
   for (const std::string& other : options.merge) {
     if (!std::filesystem::exists(std::filesystem::path(other) / "runs")) {

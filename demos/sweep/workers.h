@@ -1,4 +1,4 @@
-// Who carries out the runs of a study: processes on this machine, or on others.
+// Processes that carry out the runs of a study, on this machine or on others.
 #pragma once
 
 #include <chrono>
@@ -16,12 +16,11 @@ class Workers {
   Workers& operator=(const Workers&) = delete;
   virtual ~Workers() = default;
 
-  virtual int idle() const = 0;
-  virtual int busy() const = 0;
+  virtual int idle() const = 0;  ///< Number of workers without a run.
   /// @pre idle() > 0.
   virtual void Start(const RunSpec& run) = 0;
-  /// The record of a run that has ended, of a run that crashed as well; nothing if none ends within the time.
-  /// @pre busy() > 0.
+  /// Record of a run that has ended, by a crash as well; nothing if none ends within the time.
+  /// @pre a run has been started and not been returned yet.
   virtual std::optional<RunRecord> Wait(std::chrono::milliseconds patience) = 0;
 };
 

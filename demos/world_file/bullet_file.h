@@ -12,16 +12,19 @@
 
 namespace dgd_demos {
 
-/// Of the numbers in a file, and of the Bullet that wrote it.
+/// Whether a file is one of Bullet's worlds and not a scene, by its name.
+inline bool IsWorldFile(const std::filesystem::path& file) { return file.extension() == ".bullet"; }
+
+/// Precision of the numbers in a file, and of the Bullet that wrote it.
 enum class Precision { kFloat, kDouble };
 const char* NameOf(Precision precision);  ///< "float" or "double".
 
 struct FileChunk {
   std::string code;       ///< Four letters: "RBDY" is a rigid body.
-  std::size_t position;   ///< Of the chunk in the file, bytes.
-  std::uint64_t pointer;  ///< What other chunks call it by.
-  int structure;          ///< Its number in the DNA; -1: plain letters.
-  std::size_t count;      ///< Elements.
+  std::size_t position;   ///< Offset in the file, bytes.
+  std::uint64_t pointer;  ///< Address of the data when the file was written, by which other chunks refer to it.
+  int structure;          ///< Number of its structure in the DNA; -1: plain letters.
+  std::size_t count;      ///< Number of elements.
   Bytes data;             ///< count * the structure's size bytes, but for codes that nobody reads.
 };
 
@@ -31,13 +34,13 @@ struct BulletFile {
   Precision precision;
   int version;  ///< 324 is Bullet 3.24.
   Dna dna;
-  std::vector<FileChunk> chunks;  ///< Without that of the DNA.
+  std::vector<FileChunk> chunks;  ///< All but the DNA.
 };
 
 /// @param name  for messages.
-/// @throws SceneError in one sentence: name, place and value. So for files of another byte order or with 32-bit
-/// pointers,
-///         which Bullet's importer would convert by code that trusts them.
+/// Files of another byte order or with 32-bit pointers are refused as well: Bullet's importer would convert them by
+/// code that trusts them.
+/// @throws SceneError in one sentence: name, place and value.
 BulletFile ParseBulletFile(std::string name, std::vector<std::byte> bytes);
 
 /// @throws SceneError, also if the file cannot be read or is larger than 256 MB.

@@ -9,10 +9,8 @@
 #include <LinearMath/btSerializer.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
-#include <sstream>
 #include <utility>
 
 #include "scene/scene_error.h"
@@ -123,7 +121,8 @@ CheckedWorld LoadWorldBytes(const std::string& name, std::vector<std::byte> byte
   return CheckWorld(ParseBulletFile(name, std::move(bytes)), kOwnPrecision, OwnDna());
 }
 
-ImportedWorld::ImportedWorld(const CheckedWorld& file, const NarrowphaseChoice& narrowphase, std::optional<double> time_step)
+ImportedWorld::ImportedWorld(const CheckedWorld& file, const NarrowphaseChoice& narrowphase,
+                             std::optional<double> time_step)
     : configuration_(MakeCollisionConfiguration(narrowphase)),
       dispatcher_(configuration_.get()),
       remarks_(file.remarks) {
@@ -235,15 +234,10 @@ void ImportedWorld::AddBody(btCollisionObject& object, std::string name, bool mo
 }
 
 void ImportedWorld::FindRoom() {
-  Vector3d low = Vector3d::Zero(), high = Vector3d::Zero();
-  if (!bodies_.empty()) low = high = bodies_.front().start;
-  for (const SimulatedBody& body : bodies_) {
-    low = low.cwiseMin(body.start);
-    high = high.cwiseMax(body.start);
-  }
-  const double room = kRoom + kRoomExtents * (high - low).maxCoeff();
-  room_min_ = low.array() - room;
-  room_max_ = high.array() + room;
+  for (const SimulatedBody& body : bodies_) room_.extend(body.start);
+  if (room_.isEmpty()) return;
+  const double around = kRoom + kRoomExtents * room_.sizes().maxCoeff();
+  room_ = {room_.min().array() - around, room_.max().array() + around};
 }
 
 void ImportedWorld::AddRemarks() {
@@ -314,25 +308,6 @@ Energy ImportedWorld::TotalEnergy() const {
     energy.potential += own.potential;
   }
   return energy;
-}
-
-std::optional<std::string> ImportedWorld::FindLostBody() const {
-  const std::vector<double> speeds = Speeds();
-  for (std::size_t i = 0; i < objects_.size(); ++i) {
-    if (!bodies_[i].moves) continue;
-    const Pose pose = FromBullet(objects_[i]->getWorldTransform());
-    const btRigidBody* body = btRigidBody::upcast(objects_[i]);
-    const bool is_finite = pose.position.allFinite() && pose.rotation.allFinite() && std::isfinite(speeds[i]) &&
-                           (body == nullptr || IsFinite(*body));
-    if (!is_finite) return bodies_[i].name + " has a pose or a velocity that is not finite";
-    if ((pose.position.array() < room_min_.array()).any() || (pose.position.array() > room_max_.array()).any()) {
-      std::ostringstream sentence;
-      sentence << bodies_[i].name << " left the world at (" << pose.position.x() << ", " << pose.position.y() << ", "
-               << pose.position.z() << ") m";
-      return sentence.str();
-    }
-  }
-  return std::nullopt;
 }
 
 }  // namespace dgd_demos

@@ -53,7 +53,7 @@ class ImportedWorld : public SimulatedWorld {
   std::vector<BodyPair> OverlappingPairs() const override;
   std::vector<Motion> Motions() const override;
   Energy TotalEnergy() const override;
-  std::optional<std::string> FindLostBody() const override;
+  Eigen::AlignedBox3d Room() const override { return room_; }
   btDynamicsWorld& Bullet() override { return *world_; }
 
  private:
@@ -80,7 +80,7 @@ class ImportedWorld : public SimulatedWorld {
   std::vector<SimulatedBody> bodies_;  // Of the objects, in their order.
   std::vector<OracleBody> oracle_bodies_;
   std::vector<std::string> remarks_;
-  Eigen::Vector3d room_min_, room_max_;  // Where a body's centre may be.
+  Eigen::AlignedBox3d room_;
   double time_step_;
   std::uint64_t fallbacks_so_far_ = 0;
 };

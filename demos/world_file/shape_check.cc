@@ -9,7 +9,7 @@ namespace dgd_demos {
 namespace {
 
 constexpr std::size_t kDeepestCompound = 16;
-constexpr double kMostShapes = 100'000;  // With all children, since each compound has its own.
+constexpr int kMostShapes = 100'000;     // With all children, since each compound has its own.
 constexpr int kMostHullPoints = 10'000;  // The importer takes the bounds of all points for each one: 10^8 steps.
 constexpr int kMostSpheres = 1000;
 constexpr int kMostMeshParts = 1 << 10;  // Bullet's tree of boxes has ten bits for the part
@@ -79,7 +79,8 @@ ShapeCheck::Cost ShapeCheck::Check(Block& shape) {
   if (known != known_.end()) return known->second;
   if (shape.chunk->code != "SHAP") blocks_->Fail(shape, "a shape is asked for by its pointer, and it is none");
   if (!begun_.insert(&shape).second) blocks_->Fail(shape, "it contains itself");
-  if (begun_.size() > kDeepestCompound) blocks_->Fail(shape, "it lies deeper in compounds than 16 of them");
+  if (begun_.size() > kDeepestCompound)
+    blocks_->Fail(shape, "it is more than " + std::to_string(kDeepestCompound) + " compounds deep");
 
   const Cost cost = CheckNew(shape);
   begun_.erase(&shape);
@@ -132,7 +133,7 @@ ShapeCheck::Cost ShapeCheck::CheckNew(Block& shape) {
 
 ShapeCheck::Cost ShapeCheck::CheckCompound(const Record& compound) {
   compound.Inner("m_collisionShapeData").LinkName("m_name");
-  const int count = compound.Integer("m_numChildShapes", 0, static_cast<int>(kMostShapes));
+  const int count = compound.Integer("m_numChildShapes", 0, kMostShapes);
   compound.Numbers("m_collisionMargin", Limit::kNotNegative);
   Cost cost{true};
   if (count == 0) return cost;
@@ -149,8 +150,10 @@ ShapeCheck::Cost ShapeCheck::CheckCompound(const Record& compound) {
     cost.depth = std::max(cost.depth, of_child.depth + 1);
     cost.made += of_child.made;
   }
-  if (cost.depth > kDeepestCompound) compound.Fail("it has compounds more than 16 deep");
-  if (cost.made > kMostShapes) compound.Fail("it has more than 100000 shapes, with all of its children's");
+  if (cost.depth > kDeepestCompound)
+    compound.Fail("it is more than " + std::to_string(kDeepestCompound) + " compounds deep");
+  if (cost.made > kMostShapes)
+    compound.Fail("it has more than " + std::to_string(kMostShapes) + " shapes, with all of its children's");
   if (!cost.is_restored) ++missing_["compound with one of these"];
   return cost;
 }
@@ -241,12 +244,13 @@ void ShapeCheck::CheckIndices(const Record& part, int triangles, int vertices) {
     const char* path;
     const char* structure;
     const char* numbers;
-    int elements;  // Of a triangle.
+    int elements;     // For each triangle.
+    bool is_wrapped;  // Indices above 32767 are read as negative.
   };
-  constexpr std::array kForms = {Form{"m_indices32", "btIntIndexData", "m_value", 3},
-                                 Form{"m_3indices16", "btShortIntIndexTripletData", "m_values", 1},
-                                 Form{"m_indices16", "btShortIntIndexData", "m_value", 3},
-                                 Form{"m_3indices8", "btCharIndexTripletData", "m_values", 1}};
+  constexpr std::array kForms = {Form{"m_indices32", "btIntIndexData", "m_value", 3, false},
+                                 Form{"m_3indices16", "btShortIntIndexTripletData", "m_values", 1, true},
+                                 Form{"m_indices16", "btShortIntIndexData", "m_value", 3, true},
+                                 Form{"m_3indices8", "btCharIndexTripletData", "m_values", 1, false}};
   // The first that is there: Bullet before 2.83 left the last one as it found it.
   const auto form = std::ranges::find_if(kForms, [&](const Form& f) { return part.Target(f.path) != nullptr; });
   if (form == kForms.end()) part.Fail("it has no indices of vertices");
@@ -256,7 +260,7 @@ void ShapeCheck::CheckIndices(const Record& part, int triangles, int vertices) {
     const Record element(*blocks_, array, static_cast<std::size_t>(i));
     for (const double number : element.Numbers(form->numbers)) {
       // Bullet takes the sixteen bits of a short as unsigned.
-      const double index = number < 0 && form->structure != kForms[0].structure ? number + 65536 : number;
+      const double index = form->is_wrapped && number < 0 ? number + (1 << 16) : number;
       if (index < 0 || index >= vertices) {
         element.Fail(form->numbers, "is " + std::to_string(static_cast<std::int64_t>(index)) + ", and there are " +
                                         std::to_string(vertices) + " vertices");

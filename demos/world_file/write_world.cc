@@ -4,10 +4,8 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <cstring>
-#include <fstream>
-#include <system_error>
 
-#include "scene/scene_error.h"
+#include "report/whole_file.h"
 #include "simulation/bullet_math.h"
 
 namespace dgd_demos {
@@ -23,29 +21,14 @@ class ZeroingSerializer : public btDefaultSerializer {
   }
 };
 
-void WriteAtomically(const unsigned char* bytes, int count, const std::filesystem::path& file) {
-  std::filesystem::path part = file;
-  part += ".part";
-  std::error_code error;
-  {
-    std::ofstream stream(part, std::ios::binary | std::ios::trunc);
-    stream.write(reinterpret_cast<const char*>(bytes), count);
-    stream.close();
-    if (stream) std::filesystem::rename(part, file, error);
-    if (stream && !error) return;
-  }
-  std::error_code ignored;
-  std::filesystem::remove(part, ignored);
-  throw SceneError(file.string() + ": it cannot be written" + (error ? ": " + error.message() : ""));
-}
-
 }  // namespace
 
 void WriteWorldFile(btDynamicsWorld& world, const BodyNames& names, const std::filesystem::path& file) {
   ZeroingSerializer serializer;
   for (const auto& [body, name] : names) serializer.registerNameForPointer(body, name.c_str());
   world.serialize(&serializer);
-  WriteAtomically(serializer.getBufferPointer(), serializer.getCurrentBufferSize(), file);
+  WriteWholeFile(file, {reinterpret_cast<const char*>(serializer.getBufferPointer()),
+                        static_cast<std::size_t>(serializer.getCurrentBufferSize())});
 }
 
 void WriteWorldFile(SimulatedWorld& world, const std::filesystem::path& file) {

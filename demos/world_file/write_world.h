@@ -16,11 +16,11 @@ namespace dgd_demos {
 using BodyNames = std::map<const btCollisionObject*, std::string>;
 
 /// Writes what Bullet's serializer writes: bodies with shapes and velocities, constraints, multibodies, gravity and
-/// settings of the solver; no soft bodies and no vehicles. In this Bullet's precision. The file is complete or is not
-/// there: it is written beside its place and then renamed.
+/// settings of the solver; no soft bodies and no vehicles. In this Bullet's precision. The file is complete or
+/// is not there.
 /// @param world  is not changed; Bullet's serializer asks for one that might be.
 /// @param names  of bodies; those without are written without.
-/// @throws SceneError with the file and the reason.
+/// @throws std::runtime_error with the file and the reason if it cannot be written.
 void WriteWorldFile(btDynamicsWorld& world, const BodyNames& names, const std::filesystem::path& file);
 
 /// With the bodies' names, and its time step for whoever reads it.

@@ -176,14 +176,14 @@ TEST_F(SweepTest, BadInput_Status2BeforeAnythingRuns) {
   for (const auto& [arguments, complaint] : std::vector<std::pair<std::string, std::string>>{
            {"sweep nowhere.json", "nowhere.json: cannot be opened"},
            {"sweep", "is required"},
-           {"sweep " + options, "option patch_size must be an integer, not 'x'"},
-           {"sweep " + none, "there is no narrowphase 'gjk'"},
+           {"sweep " + options, "o.json: /narrowphases/0: option patch_size must be an integer, not 'x'"},
+           {"sweep " + none, "n.json: /narrowphases/0: there is no narrowphase 'gjk'"},
            {"sweep " + study_ + " --shard 4/3", "--shard: must be I/N"},
            {"sweep " + study_ + " --shard 0/3", "--shard: must be I/N"},
            {"sweep " + study_ + " --jobs 0", "--jobs"},
            {"sweep " + study_ + " --shard 1/2 --merge x", "--merge: runs nothing"},
            {"sweep " + study_ + " --merge nowhere", "nowhere has no results"},
-           {"swep", "There is no command swep"},
+           {"swep", "swep is not a command"},
            {"", "Usage: headless_sim COMMAND"}}) {
     const Outcome outcome = Run(arguments + (arguments.empty() ? "" : " --out " + Path("bad")));
     EXPECT_EQ(outcome.status, 2) << arguments;

@@ -28,6 +28,9 @@ libraries=$(dirname "$(grep '/libdgd_bullet\.so$' "$work/installed")")
 for module in dgd_bullet dgd_bullet-float64; do
   ! pkg-config --print-requires --print-requires-private $module | grep -E 'eigen|dgd_core' ||
     fail "pkg-config wants Eigen for $module"
+  # The compiler's own folder, given once more as a system's, would hide the C library's headers.
+  ! pkg-config --cflags $module | grep -E -- '-I/usr/(lib|include( |$))' ||
+    fail "pkg-config names the compiler's own folder for $module"
 done
 for precision in float float64; do
   sh "$root/tests/package/pkg_config.sh" "$root/tests/package/consumer" "$work/$precision" "$libraries" "$precision" g++

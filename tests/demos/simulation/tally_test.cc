@@ -24,6 +24,9 @@ class TallyTest : public testing::Test {
   static StepRecord Step(double time, double kinetic, double potential, std::optional<double> penetration) {
     return {time, {kinetic, potential}, {}, penetration};
   }
+  std::vector<SimulatedBody> SimulatedBodies() const {
+    return {SimulatedBodyOf(bodies_[0]), SimulatedBodyOf(bodies_[1])};
+  }
   std::vector<Pose> PosesAfterAMoveOf(double distance) const {
     std::vector<Pose> poses = {bodies_[0].pose, bodies_[1].pose};
     poses[1].position.x() += distance;
@@ -35,7 +38,7 @@ class TallyTest : public testing::Test {
 };
 
 TEST_F(TallyTest, FullRun_HasAllFigures) {
-  Tally tally(scene_, bodies_, {0, 10});
+  Tally tally(scene_.duration, scene_.time_step, SimulatedBodies(), {0, 10});
   tally.Add(Step(1, 3, 5, 0.3), {9, 7});
   tally.Add(Step(2, 2, 7, 0.1), {9, 7});        // Rises by 1.
   tally.Add(Step(3, 0.02, 7.98, 0.2), {9, 3});  // "At rest" begins after this one, the last half before it.
@@ -54,7 +57,7 @@ TEST_F(TallyTest, FullRun_HasAllFigures) {
 }
 
 TEST_F(TallyTest, EnergyThatRisesStepByStep_IsSummedAboveItsLeast) {
-  Tally tally(scene_, bodies_, {0, 10});
+  Tally tally(scene_.duration, scene_.time_step, SimulatedBodies(), {0, 10});
   tally.Add(Step(1, 0, 4, std::nullopt), {0, 0});
   tally.Add(Step(2, 0, 6, std::nullopt), {0, 0});
   tally.Add(Step(3, 0, 9, std::nullopt), {0, 0});
@@ -64,7 +67,7 @@ TEST_F(TallyTest, EnergyThatRisesStepByStep_IsSummedAboveItsLeast) {
 }
 
 TEST_F(TallyTest, RunThatEndsEarly_NeverComesToRest) {
-  Tally tally(scene_, bodies_, {0, 10});
+  Tally tally(scene_.duration, scene_.time_step, SimulatedBodies(), {0, 10});
   tally.Add(Step(1, 0, 10, 0.1), {0, 0});
   const RunSummary summary = tally.Summary(PosesAfterAMoveOf(5), 0);
   EXPECT_EQ(summary.time_to_rest, kNever);
@@ -74,7 +77,7 @@ TEST_F(TallyTest, RunThatEndsEarly_NeverComesToRest) {
 }
 
 TEST_F(TallyTest, StillMovingAtTheEnd_NeverComesToRest) {
-  Tally tally(scene_, bodies_, {0, 10});
+  Tally tally(scene_.duration, scene_.time_step, SimulatedBodies(), {0, 10});
   for (int i = 1; i <= 4; ++i) tally.Add(Step(i, 1, 9, std::nullopt), {0, 0});
   const RunSummary summary = tally.Summary(PosesAfterAMoveOf(std::nan("")), 0);
   EXPECT_EQ(summary.time_to_rest, kNever);

@@ -56,8 +56,8 @@ TEST(WriteWorldTest, FolderThatIsNotThere_IsAnError) {
   try {
     WriteWorldFile(world, "/nowhere/drop.bullet");
     FAIL();
-  } catch (const SceneError& error) {
-    EXPECT_STREQ(error.what(), "/nowhere/drop.bullet: it cannot be written");
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "/nowhere/drop.bullet: cannot be written: No such file or directory");
   }
 }
 

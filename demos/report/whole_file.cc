@@ -1,0 +1,31 @@
+#include "report/whole_file.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+
+namespace dgd_demos {
+
+void WriteWholeFile(const std::filesystem::path& file, std::string_view content) {
+  // Processes of several machines may write the same file at once.
+  char host[256] = {};
+  gethostname(host, sizeof host - 1);
+  const std::string part = file.string() + "." + host + "." + std::to_string(getpid()) + ".part";
+  const auto fail = [&] {
+    const std::string reason = std::strerror(errno);
+    std::remove(part.c_str());
+    throw std::runtime_error(file.string() + ": cannot be written: " + reason);
+  };
+  std::FILE* stream = std::fopen(part.c_str(), "wb");
+  if (stream == nullptr) fail();
+  const bool is_written = std::fwrite(content.data(), 1, content.size(), stream) == content.size() &&
+                          std::fflush(stream) == 0 && fsync(fileno(stream)) == 0;
+  const bool is_closed = std::fclose(stream) == 0;
+  if (!is_written || !is_closed || std::rename(part.c_str(), file.c_str()) != 0) fail();
+}
+
+}  // namespace dgd_demos
