@@ -16,6 +16,7 @@
 #include "scene_options.h"
 #include "sibling_program.h"
 #include "simulation/narrowphase.h"
+#include "stop_signals.h"
 #include "sweep/run_one.h"
 #include "sweep/sweep_command.h"
 
@@ -75,9 +76,10 @@ int RunInPrecision(int argc, char** argv) {
   if (options == nullptr || options->precision.empty() || options->precision == BulletPrecision()) {
     return RunProgram(parsed, Run);
   }
+  CatchStopSignals();
   int worst = kSuccess;
   for (const std::string precision : {"float", "double"}) {
-    if (options->precision != "both" && options->precision != precision) continue;
+    if (IsStopRequested() || (options->precision != "both" && options->precision != precision)) continue;
     const std::filesystem::path out = options->precision == "both" ? options->out / precision : options->out;
     std::vector<std::string> arguments(argv, argv + argc);
     arguments.insert(arguments.end(), {"--precision", precision, "--out", out.string()});

@@ -5,9 +5,12 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
+
+#include "stop_signals.h"
 
 namespace dgd_demos {
 
@@ -30,6 +33,7 @@ int RunAndWait(const std::string& program, const std::vector<std::string>& argum
   if (error != 0) throw std::runtime_error(program + ": cannot be started: " + std::strerror(error));
   int status = 0;
   while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    if (IsStopRequested()) kill(process, SIGTERM);
   }
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }

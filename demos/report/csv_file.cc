@@ -7,7 +7,8 @@
 
 namespace dgd_demos {
 
-CsvFile::CsvFile(const std::filesystem::path& file) : file_(file), stream_(file) {
+CsvFile::CsvFile(const std::filesystem::path& file, OpenMode mode)
+    : file_(file), stream_(file, mode == OpenMode::kCreate ? std::ios::out : std::ios::out | std::ios::app) {
   CheckWritten();
   stream_.precision(std::numeric_limits<double>::max_digits10);
 }
@@ -15,6 +16,11 @@ CsvFile::CsvFile(const std::filesystem::path& file) : file_(file), stream_(file)
 void CsvFile::Flush() {
   stream_.flush();
   CheckWritten();
+}
+
+void CsvFile::AddState(StateArchive& archive) {
+  Flush();
+  AddFileSize(archive, file_);
 }
 
 void CsvFile::CheckWritten() const {

@@ -5,13 +5,14 @@
 #include <fstream>
 #include <ostream>
 
+#include "checkpoint/continued_file.h"
+
 namespace dgd_demos {
 
 class CsvFile {
  public:
-  /// Creates or overwrites the file.
   /// @throws std::runtime_error with the reason if it cannot be written.
-  explicit CsvFile(const std::filesystem::path& file);
+  explicit CsvFile(const std::filesystem::path& file, OpenMode mode = OpenMode::kCreate);
 
   /// Writes numbers with 17 significant digits.
   std::ostream& stream() { return stream_; }
@@ -19,6 +20,8 @@ class CsvFile {
   /// Hands what was written to the operating system.
   /// @throws std::runtime_error if that fails, as on a full disk.
   void Flush();
+
+  void AddState(StateArchive& archive);
 
  private:
   void CheckWritten() const;

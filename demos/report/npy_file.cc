@@ -16,12 +16,13 @@ constexpr std::size_t kHeadSize = 1024;  // Bytes: room for any count, and a mul
 
 }  // namespace
 
-NpyFile::NpyFile(const std::filesystem::path& file, std::vector<Column> columns, std::size_t rows_of_a_record)
+NpyFile::NpyFile(const std::filesystem::path& file, std::vector<Column> columns, std::size_t rows_of_a_record,
+                 OpenMode mode)
     : file_(file), columns_(std::move(columns)), rows_of_a_record_(rows_of_a_record) {
   for (const Column& column : columns_) row_size_ += kNumberSize * static_cast<std::size_t>(column.size);
-  stream_ = std::fopen(file.c_str(), "wb");
+  stream_ = std::fopen(file.c_str(), mode == OpenMode::kCreate ? "wb" : "r+b");
   if (stream_ == nullptr) Fail();
-  Flush();
+  if (mode == OpenMode::kCreate) Flush();
 }
 
 NpyFile::~NpyFile() {
@@ -77,6 +78,12 @@ void NpyFile::Flush() {
   const bool is_counted = std::fseek(stream_, 0, SEEK_SET) == 0 &&
                           std::fwrite(head.data(), 1, head.size(), stream_) == head.size() && std::fflush(stream_) == 0;
   if (!is_counted) Fail();
+}
+
+void NpyFile::AddState(StateArchive& archive) {
+  if (!archive.is_reading()) Flush();
+  written_ = AddFileSize(archive, file_) - kHeadSize;
+  Flush();
 }
 
 void NpyFile::Fail() const {

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "checkpoint/continued_file.h"
+
 namespace dgd_demos {
 
 class NpyFile {
@@ -22,10 +24,10 @@ class NpyFile {
     int size = 1;             ///< Numbers of an entry: 3 of a vector.
   };
 
-  /// Creates or overwrites the file.
   /// @param rows_of_a_record  0: the file is a list of rows; otherwise a table, each record of which has so many rows.
   /// @throws std::runtime_error with the reason if it cannot be written.
-  NpyFile(const std::filesystem::path& file, std::vector<Column> columns, std::size_t rows_of_a_record);
+  NpyFile(const std::filesystem::path& file, std::vector<Column> columns, std::size_t rows_of_a_record,
+          OpenMode mode = OpenMode::kCreate);
   ~NpyFile();
   NpyFile(const NpyFile&) = delete;
   NpyFile& operator=(const NpyFile&) = delete;
@@ -39,6 +41,8 @@ class NpyFile {
   /// @pre the last record is complete.
   /// @throws std::runtime_error if that fails, as on a full disk.
   void Flush();
+
+  void AddState(StateArchive& archive);
 
  private:
   std::string Head() const;

@@ -2,7 +2,8 @@
 
 namespace dgd_demos {
 
-StepCsv::StepCsv(const std::filesystem::path& file, const RunInfo& info) : csv_(file) {
+StepCsv::StepCsv(const std::filesystem::path& file, const RunInfo& info, OpenMode mode) : csv_(file, mode) {
+  if (mode == OpenMode::kContinue) return;
   csv_.stream()
       << "# scene: " << info.scene << "\n# seed: " << info.seed << "\n# narrowphase: " << info.narrowphase
       << "\n# precision: " << info.precision << "\n# build type: " << info.build_type

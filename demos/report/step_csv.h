@@ -23,13 +23,15 @@ struct RunInfo {
 /// measured narrowphase_us.
 class StepCsv {
  public:
-  /// Creates or overwrites the file and writes its head.
+  /// A file that is created gets a head.
   /// @throws std::runtime_error if the file cannot be written.
-  StepCsv(const std::filesystem::path& file, const RunInfo& info);
+  StepCsv(const std::filesystem::path& file, const RunInfo& info, OpenMode mode = OpenMode::kCreate);
 
   /// Appends a row and hands it to the operating system: what is written survives a crash of this program.
   /// @throws std::runtime_error if that fails, as on a full disk.
   void Write(const StepRecord& step);
+
+  void AddState(StateArchive& archive) { csv_.AddState(archive); }
 
  private:
   CsvFile csv_;

@@ -3,8 +3,11 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
@@ -26,6 +29,21 @@ void WriteWholeFile(const std::filesystem::path& file, std::string_view content)
                           std::fflush(stream) == 0 && fsync(fileno(stream)) == 0;
   const bool is_closed = std::fclose(stream) == 0;
   if (!is_written || !is_closed || std::rename(part.c_str(), file.c_str()) != 0) fail();
+}
+
+std::string ReadWholeFile(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string content{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream) throw std::runtime_error(file.string() + ": cannot be read");
+  return content;
+}
+
+std::string HashOf(std::string_view content) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : content) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
+  return digits;
 }
 
 }  // namespace dgd_demos

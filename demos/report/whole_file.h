@@ -1,7 +1,8 @@
-// Files that are complete, or are not there.
+// Files as a whole: written so that they are complete or not there, and read.
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace dgd_demos {
@@ -11,5 +12,12 @@ namespace dgd_demos {
 /// @param content  bytes.
 /// @throws std::runtime_error with the file and the reason, as on a full disk; the file is then as it was.
 void WriteWholeFile(const std::filesystem::path& file, std::string_view content);
+
+/// @return the file's bytes.
+/// @throws std::runtime_error if it cannot be read.
+std::string ReadWholeFile(const std::filesystem::path& file);
+
+/// FNV-1a in 16 hexadecimal digits: enough to notice that a file has changed or is damaged.
+std::string HashOf(std::string_view content);
 
 }  // namespace dgd_demos

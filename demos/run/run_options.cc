@@ -1,5 +1,7 @@
 #include "run/run_options.h"
 
+#include <iostream>
+
 #include "command_line.h"
 #include "scene_options.h"
 
@@ -30,6 +32,8 @@ Examples:
   headless_sim run my.json --precision both                     Bullet in float and in double, into out/float and
                                                                 out/double
   headless_sim run my.json --trajectory --sample-every 0.05     20 poses a second for NumPy
+  headless_sim run my.json --checkpoint 60 --resume             a long run, which goes on where it was when the same
+                                                                command is given again
   headless_sim run my_app.bullet --duration 20                  a world that your app has written with Bullet's
                                                                 serializer; of these no pictures are drawn
 
@@ -66,11 +70,18 @@ constexpr const char* kFiles = R"(Written into DIR:
                                 Found at the poses that the step began with, so those of one step before "time";
                                 dgd's that the step closes have distance -1e-9 and places that are still apart
   bodies.csv                    with either: the names of the bodies
+  builtin.checkpoint, ...       with --checkpoint: the state of the run. The same command with --resume goes on from
+                                there after a crash, a kill or Ctrl-C, and ends with the files of a run that was
+                                never stopped: to the bit for the built-in, and for dgd with warm_start=off (but for
+                                measured times). With warm starts, pairs begin without them, and figures differ as
+                                between two seeds
   summary.csv                   the table that is printed at the end; its wall time counts Bullet's steps
                                 alone, without oracle, files and pictures
 
+Ctrl-C and SIGTERM end a run after its step, with complete files.
+
 Exit status: 0 all went well; 1 a body left the world or a value was not finite; 2 wrong command line
-or world, or the output cannot be written.)";
+or world, or the output cannot be written; 130 stopped.)";
 
 constexpr const char* kDefaultScene = "scenes/polytopes_50.json";
 
@@ -88,6 +99,21 @@ void AddOptions(CommandLine& line, RunOptions& options, std::string& narrowphase
   line.AddFlag("--contacts", options.write_contacts, "Write the contacts for NumPy");
   line.AddNumber("--sample-every", "S", options.sample_interval, kSampleInterval,
                  "Simulated time from one sample of these to the next in s, each at the nearest\nstep; 0: every step");
+  line.AddNumber("--checkpoint", "S", options.checkpoint_interval,
+                 "Write the state of the run every S seconds of wall time, and when it ends\nor is stopped");
+  line.AddFlag("--resume", options.resume, "Continue from the checkpoints in DIR; without any, from the beginning");
+}
+
+bool IsSound(const RunOptions& options) {
+  if (options.checkpoint_interval && !(*options.checkpoint_interval >= 0)) {
+    std::cerr << "--checkpoint: must be at least 0 s, not " << *options.checkpoint_interval << '\n';
+    return false;
+  }
+  if (options.record && (options.checkpoint_interval || options.resume)) {
+    std::cerr << "--record: not with --checkpoint or --resume, since records cannot be continued\n";
+    return false;
+  }
+  return true;
 }
 
 void Complete(RunOptions& options, const std::string& narrowphase, bool no_snapshots, const std::string& settings) {
@@ -113,6 +139,7 @@ std::variant<RunOptions, ExitStatus> ParsePolytopeDropOptions(int argc, const ch
   line.AddPath("--scene", "FILE", options.world, "Scene file (JSON)");
   AddOptions(line, options, narrowphase, no_snapshots);
   if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
+  if (!IsSound(options)) return kBadInput;
   Complete(options, narrowphase, no_snapshots, "");
   return options;
 }
@@ -131,6 +158,7 @@ std::variant<RunOptions, ExitStatus> ParseRunOptions(int argc, const char* const
                  "Of Bullet: float, double or both");
   AddOptions(line, options, narrowphase, no_snapshots);
   if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
+  if (!IsSound(options)) return kBadInput;
   std::string all_settings;
   for (const std::string& setting : settings) all_settings += (all_settings.empty() ? "" : ",") + setting;
   Complete(options, narrowphase, no_snapshots, all_settings);

@@ -24,6 +24,8 @@ struct RunOptions {
   double sample_interval = 0;                 ///< Time between samples of trajectory and contacts, s; 0: every step.
   std::optional<double> duration, time_step;  ///< s
   int oracle_every = 1;                       ///< Steps.
+  std::optional<double> checkpoint_interval;  ///< Wall time between checkpoints, s, >= 0; without it, there are none.
+  bool resume = false;                        ///< Continue from the checkpoints that are there.
 };
 
 /// The options, or the exit status if the program is to end now: after --help, or with a complaint on standard error.

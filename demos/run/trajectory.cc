@@ -14,14 +14,14 @@ void Add(NpyFile& file, const Eigen::Vector3d& vector) { file.Add({vector.x(), v
 
 }  // namespace
 
-TrajectoryFile::TrajectoryFile(const std::filesystem::path& file, const SimulatedWorld& world)
+TrajectoryFile::TrajectoryFile(const std::filesystem::path& file, const SimulatedWorld& world, OpenMode mode)
     : file_(file,
             {{"time"},
              {"position", false, 3},
              {"orientation", false, 4},
              {"velocity", false, 3},
              {"angular_velocity", false, 3}},
-            world.Bodies().size()) {}
+            world.Bodies().size(), mode) {}
 
 void TrajectoryFile::Add(double time, const SimulatedWorld& world) {
   const std::vector<Pose> poses = world.Poses();
@@ -37,7 +37,7 @@ void TrajectoryFile::Add(double time, const SimulatedWorld& world) {
   file_.Flush();
 }
 
-ContactFile::ContactFile(const std::filesystem::path& file)
+ContactFile::ContactFile(const std::filesystem::path& file, OpenMode mode)
     : file_(file,
             {{"time"},
              {"body_a", true},
@@ -47,7 +47,7 @@ ContactFile::ContactFile(const std::filesystem::path& file)
              {"normal", false, 3},
              {"distance"},
              {"impulse"}},
-            0) {}
+            0, mode) {}
 
 void ContactFile::Add(double time, SimulatedWorld& world) {
   btDispatcher& dispatcher = *world.Bullet().getDispatcher();

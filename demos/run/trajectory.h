@@ -14,7 +14,8 @@ namespace dgd_demos {
 class TrajectoryFile {
  public:
   /// @throws std::runtime_error if the file cannot be written.
-  TrajectoryFile(const std::filesystem::path& file, const SimulatedWorld& world);
+  TrajectoryFile(const std::filesystem::path& file, const SimulatedWorld& world, OpenMode mode = OpenMode::kCreate);
+  void AddState(StateArchive& archive) { file_.AddState(archive); }
   void Add(double time, const SimulatedWorld& world);
 
  private:
@@ -29,7 +30,8 @@ class TrajectoryFile {
 class ContactFile {
  public:
   /// @throws std::runtime_error if the file cannot be written.
-  explicit ContactFile(const std::filesystem::path& file);
+  explicit ContactFile(const std::filesystem::path& file, OpenMode mode = OpenMode::kCreate);
+  void AddState(StateArchive& archive) { file_.AddState(archive); }
   void Add(double time, SimulatedWorld& world);
 
  private:

@@ -12,41 +12,6 @@
 namespace dgd_demos {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-// Takes a step, and has the oracle judge what the step's collision detection was given.
-class Stepper {
- public:
-  Stepper(SimulatedWorld& world, int oracle_every)
-      : world_(world), oracle_(world.OracleBodies()), oracle_every_(oracle_every) {}
-
-  double wall_time() const { return wall_time_.count(); }
-
-  /// @param number  counts from 1.
-  StepRecord Step(int number) {
-    const bool ask_oracle = number % oracle_every_ == 0;
-    std::vector<Pose> poses_before = ask_oracle ? world_.Poses() : std::vector<Pose>{};
-
-    const Clock::time_point start = Clock::now();
-    const CollisionReport collision = world_.Step();
-    wall_time_ += Clock::now() - start;
-
-    StepRecord step{number * world_.time_step(), world_.TotalEnergy(), collision, std::nullopt};
-    if (ask_oracle) {
-      const CollisionInput input{std::move(poses_before), world_.OverlappingPairs()};
-      step.true_penetration = oracle_.DeepestPenetration(input);
-      step.unjudged_pairs = oracle_.CountUnjudged(input);
-    }
-    return step;
-  }
-
- private:
-  SimulatedWorld& world_;
-  PenetrationOracle oracle_;
-  int oracle_every_;
-  std::chrono::duration<double> wall_time_{};
-};
-
 int StepCount(double duration, double time_step) { return static_cast<int>(std::lround(duration / time_step)); }
 
 }  // namespace
@@ -62,37 +27,82 @@ DropRun RunDrop(const Scene& scene, const std::vector<Body>& bodies, const Narro
 
 DropRun RunWorld(SimulatedWorld& world, const RunSettings& settings,
                  const std::function<void(const StepRecord&)>& on_step, dgd_bullet::Recorder* recorder) {
-  Stepper stepper(world, settings.oracle_every);
-  if (recorder != nullptr) world.RecordInto(*recorder);
-  DropRun run;
+  WorldRun run(world, settings, recorder);
+  while (!run.IsDone()) on_step(run.Step());
+  return run.Result();
+}
 
-  auto next_picture = settings.snapshots.begin();
-  const auto take_due_pictures = [&](double time) {
-    for (; next_picture != settings.snapshots.end() && *next_picture <= time; ++next_picture) {
-      run.snapshots.push_back({*next_picture, world.Poses(), world.Speeds()});
-    }
-  };
-  take_due_pictures(0);
+WorldRun::WorldRun(SimulatedWorld& world, RunSettings settings, dgd_bullet::Recorder* recorder)
+    : world_(world),
+      settings_(std::move(settings)),
+      step_count_(StepCount(settings_.duration, world.time_step())),
+      oracle_(world.OracleBodies()),
+      tally_(settings_.duration, world.time_step(), world.Bodies(), world.TotalEnergy()) {
+  if (recorder != nullptr) world_.RecordInto(*recorder);
+  TakeDueSnapshots(0);
+}
 
-  const double time_step = world.time_step();
-  Tally tally(settings.duration, time_step, world.Bodies(), world.TotalEnergy());
-  const int step_count = StepCount(settings.duration, time_step);
-  for (int number = 1; number <= step_count && !run.failure; ++number) {
-    const StepRecord step = stepper.Step(number);
-    tally.Add(step, world.Speeds());
-    on_step(step);
-    // Half a step early rather than a whole one late, should the product of number and step round down.
-    take_due_pictures(step.time + time_step / 2);
-    if (const auto lost = world.FindLostBody()) {
-      std::ostringstream sentence;
-      sentence << *lost << " at " << step.time << " s";
-      run.failure = sentence.str();
-    }
+bool WorldRun::IsDone() const { return tally_.steps() >= step_count_ || failure_; }
+
+// The oracle judges the poses and the pairs that the step's collision detection gets.
+StepRecord WorldRun::Step() {
+  using Clock = std::chrono::steady_clock;
+  const int number = tally_.steps() + 1;
+  const bool is_judged = number % settings_.oracle_every == 0;
+  std::vector<Pose> poses_before = is_judged ? world_.Poses() : std::vector<Pose>{};
+
+  const Clock::time_point start = Clock::now();
+  const CollisionReport collision = world_.Step();
+  wall_time_ += std::chrono::duration<double>(Clock::now() - start).count();
+
+  StepRecord step{number * world_.time_step(), world_.TotalEnergy(), collision, std::nullopt};
+  if (is_judged) {
+    const CollisionInput input{std::move(poses_before), world_.OverlappingPairs()};
+    step.true_penetration = oracle_.DeepestPenetration(input);
+    step.unjudged_pairs = oracle_.CountUnjudged(input);
   }
-  run.end_state = {tally.steps() * time_step, world.Poses(), world.Speeds()};
-  run.summary = tally.Summary(run.end_state.poses, stepper.wall_time());
-  run.summary.lost_bodies = run.failure ? 1 : 0;
+  tally_.Add(step, world_.Speeds());
+  // Half a step early rather than a whole one late, should the product of number and step round down.
+  TakeDueSnapshots(step.time + world_.time_step() / 2);
+  if (const auto lost = world_.FindLostBody()) {
+    std::ostringstream sentence;
+    sentence << *lost << " at " << step.time << " s";
+    failure_ = sentence.str();
+  }
+  return step;
+}
+
+void WorldRun::TakeDueSnapshots(double time) {
+  while (snapshots_.size() < settings_.snapshots.size() && settings_.snapshots[snapshots_.size()] <= time) {
+    snapshots_.push_back({settings_.snapshots[snapshots_.size()], world_.Poses(), world_.Speeds()});
+  }
+}
+
+DropRun WorldRun::Result() const {
+  DropRun run;
+  run.snapshots = snapshots_;
+  run.failure = failure_;
+  run.end_state = {time(), world_.Poses(), world_.Speeds()};
+  run.summary = tally_.Summary(run.end_state.poses, wall_time_);
+  run.summary.lost_bodies = failure_ ? 1 : 0;
   return run;
+}
+
+void WorldRun::AddState(StateArchive& archive) {
+  tally_.AddState(archive);
+  oracle_.AddState(archive);
+  archive.Add(wall_time_);
+  archive.Add(snapshots_, [&](Snapshot& snapshot) {
+    archive.Add(snapshot.time);
+    archive.Add(snapshot.poses, [&](Pose& pose) {
+      archive.Add(pose.rotation);
+      archive.Add(pose.position);
+    });
+    archive.Add(snapshot.speeds, [&](double& speed) { archive.Add(speed); });
+  });
+  std::string failure = failure_.value_or("");
+  archive.Add(failure);
+  if (!failure.empty()) failure_ = failure;
 }
 
 }  // namespace dgd_demos

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "checkpoint/state_archive.h"
 #include "scene/bodies.h"
 #include "scene/polyhedron.h"
 #include "scene/pose.h"
@@ -66,6 +67,9 @@ class PenetrationOracle {
 
   /// Those of the pairs that DeepestPenetration() leaves out, because a body of theirs is not judged.
   int CountUnjudged(const CollisionInput& input) const;
+
+  /// The last axes. Depths do not depend on them but in their last bits.
+  void AddState(StateArchive& archive);
 
  private:
   // Of two parts; their indices count those of all bodies, in order.

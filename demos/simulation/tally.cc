@@ -94,4 +94,15 @@ RunSummary Tally::Summary(const std::vector<Pose>& end_poses, double wall_time) 
   return summary;
 }
 
+void Tally::AddState(StateArchive& archive) {
+  archive.Add(initial_energy_);
+  archive.Add(sums_);
+  archive.Add(energy_);
+  archive.Add(least_energy_);
+  archive.Add(sum_of_true_);
+  archive.Add(oracle_steps_);
+  archive.Add(sum_of_squared_speeds_);
+  archive.Add(speeds_);
+}
+
 }  // namespace dgd_demos

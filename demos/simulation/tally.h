@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "checkpoint/state_archive.h"
 #include "scene/pose.h"
 #include "simulation/run_summary.h"
 #include "simulation/simulated_body.h"
@@ -24,6 +25,9 @@ class Tally {
   /// @param end_poses  of all bodies, in their order.
   /// @param wall_time  s
   RunSummary Summary(const std::vector<Pose>& end_poses, double wall_time) const;
+
+  /// What was added so far; not what the constructor is given.
+  void AddState(StateArchive& archive);
 
  private:
   void AddEnergy(const StepRecord& step);

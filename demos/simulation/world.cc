@@ -63,11 +63,10 @@ void World::AddBody(const Body& body, int index) {
 }
 
 CollisionReport World::Step() {
+  const std::uint64_t fallbacks_before = Fallbacks(*configuration_);
   // No substeps: exactly one step of this length.
   world_.stepSimulation(ToBullet(time_step_), 0);
-
-  const std::uint64_t fallbacks = Fallbacks(*configuration_);
-  return ReportStep(dispatcher_, *broadphase_.m_paircache, fallbacks - std::exchange(fallbacks_so_far_, fallbacks));
+  return ReportStep(dispatcher_, *broadphase_.m_paircache, Fallbacks(*configuration_) - fallbacks_before);
 }
 
 std::vector<Pose> World::Poses() const {

@@ -3,7 +3,6 @@
 
 #include <btBulletDynamicsCommon.h>
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -56,7 +55,6 @@ class World : public SimulatedWorld {
   Eigen::Vector3d gravity_;
   Eigen::AlignedBox3d room_;
   double time_step_;
-  std::uint64_t fallbacks_so_far_ = 0;
 };
 
 }  // namespace dgd_demos

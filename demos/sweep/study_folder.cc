@@ -1,9 +1,6 @@
 #include "sweep/study_folder.h"
 
-#include <cstdint>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <stdexcept>
 
@@ -14,28 +11,12 @@ namespace {
 
 using nlohmann::json;
 
-std::string ReadWhole(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be read");
-  return text;
-}
-
-// FNV-1a: enough to notice that a file has changed.
-std::string Hash(const std::string& text) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
-  return digits;
-}
-
 // The study, what its worlds were when it began, and the precisions, which may be those of the program.
 json IdentityOf(const Study& study) {
   json worlds = json::object();
   std::set<std::string> precisions;
   for (const RunSpec& run : study.runs) {
-    if (!worlds.contains(run.world)) worlds[run.world] = Hash(ReadWhole(run.file));
+    if (!worlds.contains(run.world)) worlds[run.world] = HashOf(ReadWholeFile(run.file));
     precisions.insert(run.precision);
   }
   return {{"study", study.document}, {"worlds", worlds}, {"precisions", precisions}, {"runs", study.runs.size()}};
@@ -51,7 +32,7 @@ StudyFolder::StudyFolder(const std::filesystem::path& folder, const Study& study
     WriteWholeFile(file, identity.dump(2) + "\n");
     return;
   }
-  const json there = json::parse(ReadWhole(file), nullptr, /*allow_exceptions=*/false);
+  const json there = json::parse(ReadWholeFile(file), nullptr, /*allow_exceptions=*/false);
   if (there == identity) return;
   const bool same_study = there.is_object() && there.value("study", json()) == study.document;
   throw std::runtime_error(
@@ -71,7 +52,7 @@ std::map<int, RunRecord> StudyFolder::ReadRecords() const {
   for (const auto& entry : std::filesystem::directory_iterator(folder_ / "runs")) {
     if (entry.path().extension() != ".json") continue;  // Of a process that died while it wrote.
     try {
-      const RunRecord record = ParseRunRecord(ReadWhole(entry.path()));
+      const RunRecord record = ParseRunRecord(ReadWholeFile(entry.path()));
       if (entry.path() != FileOf(record.number)) throw std::runtime_error("is of another run");
       records.emplace(record.number, record);
     } catch (const std::runtime_error& error) {

@@ -1,7 +1,6 @@
 #include "sweep/sweep_command.h"
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -13,6 +12,7 @@
 #include "report/whole_file.h"
 #include "scene/scene_error.h"
 #include "simulation/narrowphase.h"
+#include "stop_signals.h"
 #include "sweep/local_workers.h"
 #include "sweep/study.h"
 #include "sweep/study_folder.h"
@@ -23,15 +23,6 @@
 
 namespace dgd_demos {
 namespace {
-
-volatile std::sig_atomic_t is_interrupted = 0;
-
-void StopOnSignals() {
-  struct sigaction action = {};
-  action.sa_handler = [](int) { is_interrupted = 1; };
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-}
 
 // Of the study, those that this process is to carry out.
 std::vector<RunSpec> PendingRuns(const Study& study, const std::map<int, RunRecord>& records,
@@ -53,10 +44,10 @@ void CarryOut(const std::vector<RunSpec>& runs, Workers& workers, const StudyFol
   constexpr std::chrono::milliseconds kPatience(100);
   ProgressBar progress(std::to_string(runs.size()) + " runs", static_cast<double>(runs.size()));
   std::size_t started = 0, done = 0;
-  while (done < runs.size() && is_interrupted == 0) {
+  while (done < runs.size() && !IsStopRequested()) {
     while (started < runs.size() && workers.idle() > 0) workers.Start(runs[started++]);
     const std::optional<RunRecord> record = workers.Wait(kPatience);
-    if (record && is_interrupted == 0) {
+    if (record && !IsStopRequested()) {
       folder.Write(*record);
       ++done;
     }
@@ -109,7 +100,7 @@ ExitStatus SweepWith(Workers& workers, const SweepOptions& options) {
     folder.TakeFrom(StudyFolder(other, study));
   }
   if (options.merge.empty()) {
-    StopOnSignals();
+    CatchStopSignals();
     CarryOut(PendingRuns(study, folder.ReadRecords(), options), workers, folder);
   }
   return Report(study, folder, options);

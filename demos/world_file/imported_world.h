@@ -4,7 +4,6 @@
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 #include <btBulletDynamicsCommon.h>
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -82,7 +81,6 @@ class ImportedWorld : public SimulatedWorld {
   std::vector<std::string> remarks_;
   Eigen::AlignedBox3d room_;
   double time_step_;
-  std::uint64_t fallbacks_so_far_ = 0;
 };
 
 }  // namespace dgd_demos

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 
 #include "small_scenes.h"
@@ -74,6 +75,74 @@ assert numpy.allclose(numpy.diff(poses["time"][:, 0]), 0.004)
                                  .string();
   const Outcome python = dgd_test::RunProgram(kPython, script + " " + Path("out/dgd_trajectory.npy"));
   EXPECT_EQ(python.status, 0) << python.output;
+}
+
+// The CSV without the column of measured times.
+std::string WithoutTimes(const std::string& csv) {
+  constexpr int kNarrowphaseTime = 5;
+  std::string rows;
+  std::istringstream stream(csv);
+  for (std::string row; std::getline(stream, row);) {
+    std::istringstream cells(row);
+    std::string cell;
+    for (int column = 0; std::getline(cells, cell, ','); ++column) {
+      if (column != kNarrowphaseTime) rows += cell + ',';
+    }
+    rows += '\n';
+  }
+  return rows;
+}
+
+TEST_F(RunTest, KilledAndResumed_LeavesTheFilesOfARunThatWasNot) {
+  const std::string run =
+      "run polytopes_50"
+      " --no-snapshots --duration 3 --trajectory --contacts --sample-every 0.01 --oracle-every 40"
+      " --set warm_start=off --out ";
+  ASSERT_EQ(Run(run + Path("whole")).status, 0);
+  const std::string resumed = run + Path("out") + " --checkpoint 0.02 --resume";
+  for (const std::string seconds : {"0.2", "0.3", "0.25", "0.4"}) {
+    dgd_test::RunProgram("timeout", "-s KILL " + seconds + " " + DGD_TEST_HEADLESS_SIM + " " + resumed);
+  }
+  const Outcome outcome = Run(resumed);
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  for (const std::string file : {"builtin", "dgd"}) {
+    EXPECT_TRUE(WithoutTimes(ReadFile(Path("out/" + file + ".csv"))) ==
+                WithoutTimes(ReadFile(Path("whole/" + file + ".csv"))));
+    for (const std::string kind : {"_trajectory.npy", "_contacts.npy"}) {
+      EXPECT_TRUE(ReadFile(Path("out/" + file + kind)) == ReadFile(Path("whole/" + file + kind))) << file << kind;
+    }
+  }
+
+  const Outcome again = Run(resumed);
+  EXPECT_EQ(again.status, 0) << "what is done is done";
+  EXPECT_EQ(again.output, outcome.output);
+  const Outcome other = Run(resumed + " --seed 2");
+  EXPECT_EQ(other.status, 2);
+  EXPECT_EQ(Count(other.output, "builtin.checkpoint: is of a run with seed 1, not 2"), 1) << other.output;
+  EXPECT_EQ(Run(resumed + " --record").status, 2);
+  EXPECT_EQ(Run(run + Path("out") + " --checkpoint -1").status, 2);
+}
+
+TEST_F(RunTest, StoppedRun_LeavesCompleteFilesAndCanBeResumed) {
+  const std::string run = "run " + scene_ + " --no-snapshots --duration 2000 --narrowphase dgd --out " + Path("out");
+  const std::string stop = std::string("-s TERM 0.7 ") + DGD_TEST_HEADLESS_SIM + " ";
+  const Outcome stopped = dgd_test::RunProgram("timeout", "--preserve-status " + stop + run + " --checkpoint 1000");
+  EXPECT_EQ(stopped.status, 130) << stopped.output;
+  EXPECT_EQ(Count(stopped.output, "Stopped at "), 1) << stopped.output;
+  const std::string rows = ReadFile(Path("out/dgd.csv"));
+  EXPECT_EQ(rows.back(), '\n');
+
+  const Outcome resumed =
+      dgd_test::RunProgram("timeout", "--preserve-status " + stop + run + " --checkpoint 1000 --resume");
+  EXPECT_EQ(resumed.status, 130) << resumed.output;
+  const std::string more = ReadFile(Path("out/dgd.csv"));
+  EXPECT_GT(more.size(), rows.size());
+  EXPECT_EQ(more.substr(0, rows.size()), rows);
+
+  // In the other precision, by the other program, which gets the signal as well.
+  const Outcome other = dgd_test::RunProgram("timeout", "--preserve-status " + stop + run + " --precision both");
+  EXPECT_EQ(other.status, 130) << other.output;
+  EXPECT_EQ(Count(other.output, "Stopped at "), 1) << other.output;
 }
 
 TEST_F(RunTest, BothPrecisions_HaveAFolderEach) {
