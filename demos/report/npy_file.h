@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "checkpoint/continued_file.h"
+#include "report/flush_timer.h"
 
 namespace dgd_demos {
 
@@ -41,6 +42,10 @@ class NpyFile {
   /// @pre the last record is complete.
   /// @throws std::runtime_error if that fails, as on a full disk.
   void Flush();
+  /// Flush() now and then; see FlushTimer.
+  void FlushIfDue() {
+    if (timer_.IsDue()) Flush();
+  }
 
   void AddState(StateArchive& archive);
 
@@ -55,6 +60,7 @@ class NpyFile {
   std::size_t written_ = 0;  // Bytes, after the head.
   std::vector<char> buffer_;
   std::FILE* stream_;
+  FlushTimer timer_;
 };
 
 }  // namespace dgd_demos

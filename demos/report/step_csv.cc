@@ -23,7 +23,7 @@ void StepCsv::Write(const StepRecord& step) {
          << collision.queries << ',' << collision.fallbacks << ',';
   if (step.true_penetration) stream << *step.true_penetration;
   stream << '\n';
-  csv_.Flush();
+  if (timer_.IsDue()) csv_.Flush();
 }
 
 }  // namespace dgd_demos

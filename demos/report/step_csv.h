@@ -1,4 +1,4 @@
-// The CSV of a run: one row a step, on disk as soon as the step is done.
+// The CSV of a run: one row a step.
 #pragma once
 
 #include <cstdint>
@@ -6,6 +6,7 @@
 #include <string>
 
 #include "report/csv_file.h"
+#include "report/flush_timer.h"
 #include "simulation/step_record.h"
 
 namespace dgd_demos {
@@ -27,14 +28,18 @@ class StepCsv {
   /// @throws std::runtime_error if the file cannot be written.
   StepCsv(const std::filesystem::path& file, const RunInfo& info, OpenMode mode = OpenMode::kCreate);
 
-  /// Appends a row and hands it to the operating system: what is written survives a crash of this program.
+  /// Appends a row, and now and then flushes; see FlushTimer.
   /// @throws std::runtime_error if that fails, as on a full disk.
   void Write(const StepRecord& step);
+  /// Hands all rows to the operating system: they survive a crash of this program.
+  /// @throws std::runtime_error if that fails.
+  void Flush() { csv_.Flush(); }
 
   void AddState(StateArchive& archive) { csv_.AddState(archive); }
 
  private:
   CsvFile csv_;
+  FlushTimer timer_;
 };
 
 }  // namespace dgd_demos

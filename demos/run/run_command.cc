@@ -49,6 +49,11 @@ class Samples {
     if (contacts_) contacts_->Add(time, world_);
   }
 
+  void Flush() {
+    if (trajectory_) trajectory_->Flush();
+    if (contacts_) contacts_->Flush();
+  }
+
   void AddState(StateArchive& archive) {
     archive.Add(count_);
     if (trajectory_) trajectory_->AddState(archive);
@@ -119,6 +124,8 @@ class RecordedRun {
       if (is_due) last_checkpoint = Clock::now();
       progress.Update(run_->time());
     }
+    csv_.Flush();
+    samples_.Flush();
     if (recorder_) recorder_->Close();
   }
 

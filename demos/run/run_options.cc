@@ -46,7 +46,7 @@ To write your world from your app:
 )";
 
 constexpr const char* kFiles = R"(Written into DIR:
-  builtin.csv, dgd.csv          one row a step; written as it goes, so that a crash leaves what was done
+  builtin.csv, dgd.csv          one row a step; on disk within a tenth of a second, so that a crash leaves the others
       time_s                          at the end of the step
       kinetic_energy_j, potential_energy_j   at that time; potential energy is 0 on the ground's top
       contacts                        points in all contact manifolds

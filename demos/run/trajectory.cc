@@ -34,7 +34,7 @@ void TrajectoryFile::Add(double time, const SimulatedWorld& world) {
     dgd_demos::Add(file_, motions[i].velocity);
     dgd_demos::Add(file_, motions[i].angular_velocity);
   }
-  file_.Flush();
+  file_.FlushIfDue();
 }
 
 ContactFile::ContactFile(const std::filesystem::path& file, OpenMode mode)
@@ -64,7 +64,7 @@ void ContactFile::Add(double time, SimulatedWorld& world) {
       file_.Add({point.getDistance(), point.getAppliedImpulse()});
     }
   }
-  file_.Flush();
+  file_.FlushIfDue();
 }
 
 void WriteBodyList(const std::filesystem::path& file, const SimulatedWorld& world) {

@@ -15,8 +15,10 @@ class TrajectoryFile {
  public:
   /// @throws std::runtime_error if the file cannot be written.
   TrajectoryFile(const std::filesystem::path& file, const SimulatedWorld& world, OpenMode mode = OpenMode::kCreate);
-  void AddState(StateArchive& archive) { file_.AddState(archive); }
+  /// Adds a sample, and now and then flushes.
   void Add(double time, const SimulatedWorld& world);
+  void Flush() { file_.Flush(); }
+  void AddState(StateArchive& archive) { file_.AddState(archive); }
 
  private:
   NpyFile file_;
@@ -31,8 +33,10 @@ class ContactFile {
  public:
   /// @throws std::runtime_error if the file cannot be written.
   explicit ContactFile(const std::filesystem::path& file, OpenMode mode = OpenMode::kCreate);
-  void AddState(StateArchive& archive) { file_.AddState(archive); }
+  /// Adds the points of a sample, and now and then flushes.
   void Add(double time, SimulatedWorld& world);
+  void Flush() { file_.Flush(); }
+  void AddState(StateArchive& archive) { file_.AddState(archive); }
 
  private:
   NpyFile file_;

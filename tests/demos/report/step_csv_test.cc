@@ -1,12 +1,14 @@
-// Contract: what is written is on disk at once, complete, and reads back to the same bits.
+// Contract: what is written is on disk soon, complete, and reads back to the same bits.
 #include "report/step_csv.h"
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "small_scenes.h"
@@ -40,11 +42,12 @@ TEST(StepCsvTest, Head_SaysWhatTheRunWas) {
   }
 }
 
-TEST(StepCsvTest, Row_IsOnDiskAtOnceAndReadsBackToTheBit) {
+TEST(StepCsvTest, Row_ReadsBackToTheBit) {
   const TestFolder folder;
   StepCsv csv(folder.path() / "run.csv", kInfo);
   const StepRecord step{1.0 / 3, {std::sqrt(2), std::exp(1)}, {M_PI, 5, 4, 3, 1e-17 / 3, 2}, std::cbrt(7e-9)};
-  csv.Write(step);  // `csv` is still open below.
+  csv.Write(step);
+  csv.Flush();  // `csv` is still open below.
 
   const std::vector<std::string> lines = Lines(ReadFile(folder.path() / "run.csv"));
   const std::vector<std::string> names = Cells(lines[lines.size() - 2]), cells = Cells(lines.back());
@@ -66,10 +69,20 @@ TEST(StepCsvTest, Row_IsOnDiskAtOnceAndReadsBackToTheBit) {
   }
 }
 
+TEST(StepCsvTest, Rows_AreOnDiskWithinATenthOfASecond) {
+  const TestFolder folder;
+  StepCsv csv(folder.path() / "run.csv", kInfo);
+  csv.Write({1, {0, 0}, {}, std::nullopt});
+  std::this_thread::sleep_for(std::chrono::milliseconds(110));
+  csv.Write({2, {0, 0}, {}, std::nullopt});
+  EXPECT_EQ(Cells(Lines(ReadFile(folder.path() / "run.csv")).back())[0], "2");
+}
+
 TEST(StepCsvTest, OracleNotAsked_LeavesTheCellEmpty) {
   const TestFolder folder;
   StepCsv csv(folder.path() / "run.csv", kInfo);
   csv.Write({1, {0, 0}, {}, std::nullopt});
+  csv.Flush();
   const std::vector<std::string> cells = Cells(Lines(ReadFile(folder.path() / "run.csv")).back());
   ASSERT_EQ(cells.size(), 10u);
   EXPECT_EQ(cells.back(), "");
