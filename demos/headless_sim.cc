@@ -69,23 +69,29 @@ ExitStatus One(const std::string& spec) {
   return kSuccess;
 }
 
-// `run`, by the program of the precision requested, or by both, into a folder each. Of the arguments, the last count.
+// Runs the world by the program of each precision requested, into a folder of its own if there are two.
+int RunBySiblings(const RunOptions& options, const std::vector<std::string>& arguments) {
+  CatchStopSignals();
+  int worst = kSuccess;
+  for (const std::string precision : {"float", "double"}) {
+    if (IsStopRequested() || (options.precision != "both" && options.precision != precision)) continue;
+    const std::filesystem::path out = options.precision == "both" ? options.out / precision : options.out;
+    std::vector<std::string> in_precision = arguments;
+    // The last of several counts.
+    in_precision.insert(in_precision.end(), {"--precision", precision, "--out", out.string()});
+    worst = std::max(worst, RunAndWait(ProgramFor(precision), in_precision));
+  }
+  return worst;
+}
+
+// `run`, in this process if it has the precision requested.
 int RunInPrecision(int argc, char** argv) {
   const auto parsed = ParseRunOptions(argc, argv);
   const auto* options = std::get_if<RunOptions>(&parsed);
   if (options == nullptr || options->precision.empty() || options->precision == BulletPrecision()) {
     return RunProgram(parsed, Run);
   }
-  CatchStopSignals();
-  int worst = kSuccess;
-  for (const std::string precision : {"float", "double"}) {
-    if (IsStopRequested() || (options->precision != "both" && options->precision != precision)) continue;
-    const std::filesystem::path out = options->precision == "both" ? options->out / precision : options->out;
-    std::vector<std::string> arguments(argv, argv + argc);
-    arguments.insert(arguments.end(), {"--precision", precision, "--out", out.string()});
-    worst = std::max(worst, RunAndWait(ProgramFor(precision), arguments));
-  }
-  return worst;
+  return RunGuarded([&] { return RunBySiblings(*options, {argv, argv + argc}); }, kBadInput);
 }
 
 int Main(int argc, char** argv) {

@@ -18,6 +18,7 @@
 #include "render/png_file.h"
 #include "report/csv_file.h"
 #include "report/execution_csv.h"
+#include "report/output_folder.h"
 #include "report/progress_bar.h"
 
 namespace dgd_demos {
@@ -47,7 +48,7 @@ class ProgressDisplay {
 };
 
 void WritePaths(const PlanRun& run, const CollisionModel& model, const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
+  MakeOutputFolder(folder);
   // Whatever an earlier run has left is not of this one.
   for (const char* name : {"path_found.csv", "path_simplified.csv", "path_smoothed.csv", "path.png",
                            "path_other_side.png", "execution.csv", "execution.png"}) {
@@ -122,7 +123,7 @@ ExitStatus Run(const PlanMotionOptions& options) {
     std::fprintf(stderr, "%s: %s\n", scene.file.c_str(), collision->c_str());
     return kNoPath;
   }
-  std::filesystem::create_directories(options.out);
+  MakeOutputFolder(options.out);
   RunsCsv csv(options.out / "runs.csv");
   std::vector<PlanRun> runs;
   std::vector<Configuration> visited;

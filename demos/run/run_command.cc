@@ -18,6 +18,7 @@
 #include "checkpoint/continued_file.h"
 #include "checkpoint/world_state.h"
 #include "report/comparison_table.h"
+#include "report/output_folder.h"
 #include "report/pictures.h"
 #include "report/progress_bar.h"
 #include "report/step_csv.h"
@@ -184,7 +185,7 @@ ExitStatus Run(const RunOptions& options) {
   for (const std::string& remark : source.remarks()) std::fprintf(stderr, "%s\n", remark.c_str());
   std::vector<NarrowphaseChoice> narrowphases;
   for (const std::string& name : options.narrowphases) narrowphases.push_back(NarrowphaseChoice::Named(name));
-  std::filesystem::create_directories(options.out);
+  MakeOutputFolder(options.out);
 
   std::vector<NamedRun> runs;
   std::vector<TableColumn> columns;

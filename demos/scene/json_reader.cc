@@ -16,8 +16,11 @@ namespace {
 using nlohmann::json;
 
 std::string ReadText(const std::filesystem::path& file) {
-  // A directory opens without complaint and reads as empty.
-  if (std::filesystem::is_directory(file)) throw SceneError(file.string() + ": is a directory, not a scene file");
+  // A directory opens without complaint and reads as empty. What cannot be examined cannot be opened either.
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) {
+    throw SceneError(file.string() + ": is a directory, not a scene file");
+  }
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw SceneError(file.string() + ": cannot be opened: " + std::strerror(errno));
   return {std::istreambuf_iterator<char>(stream), {}};

@@ -3,6 +3,7 @@
 #include <exception>
 #include <memory>
 
+#include "error_message.h"
 #include "run/world_source.h"
 #include "simulation/drop_run.h"
 
@@ -15,7 +16,7 @@ RunRecord RunOne(const RunSpec& spec) try {
   return {spec.number, run.failure ? RunRecord::Status::kLost : RunRecord::Status::kDone, run.failure.value_or(""),
           DGD_DEMOS_BUILD_TYPE, FiguresOf(run.summary)};
 } catch (const std::exception& error) {
-  return {spec.number, RunRecord::Status::kFailed, error.what(), DGD_DEMOS_BUILD_TYPE, {}};
+  return {spec.number, RunRecord::Status::kFailed, MessageOf(error), DGD_DEMOS_BUILD_TYPE, {}};
 }
 
 }  // namespace dgd_demos

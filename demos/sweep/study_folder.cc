@@ -4,6 +4,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "report/output_folder.h"
 #include "report/whole_file.h"
 
 namespace dgd_demos {
@@ -25,7 +26,7 @@ json IdentityOf(const Study& study) {
 }  // namespace
 
 StudyFolder::StudyFolder(const std::filesystem::path& folder, const Study& study) : folder_(folder) {
-  std::filesystem::create_directories(folder_ / "runs");
+  MakeOutputFolder(folder_ / "runs");
   const std::filesystem::path file = folder_ / "study.json";
   const json identity = IdentityOf(study);
   if (!std::filesystem::exists(file)) {

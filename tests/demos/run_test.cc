@@ -203,7 +203,15 @@ TEST_F(RunTest, BadInput_Status2) {
     EXPECT_EQ(outcome.status, 2) << arguments << ": " << outcome.output;
     EXPECT_GE(Count(outcome.output, complaint), 1) << arguments << ": " << outcome.output;
   }
-  EXPECT_EQ(Run("run " + scene_ + " --no-snapshots --out /dev/null/x").status, 2) << "a folder in a file";
+}
+
+TEST_F(RunTest, FolderThatCannotBeMade_IsNamedWithTheReason) {
+  for (const std::string& out : {scene_, std::string("/dev/null/x"), std::string("/proc/x")}) {
+    const Outcome outcome = Run("run " + scene_ + " --no-snapshots --out " + out);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(Count(outcome.output, out + ": the folder cannot be made: "), 1) << outcome.output;
+    EXPECT_EQ(Count(outcome.output, "filesystem error"), 0) << outcome.output;
+  }
 }
 
 TEST_F(RunTest, FullDisk_IsToldOfATrajectory) {
