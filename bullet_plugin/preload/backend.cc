@@ -59,16 +59,26 @@ Audit* g_audit = nullptr;  ///< Null unless both narrowphases are used.
 
 constexpr const char* kPrecision = sizeof(btScalar) == sizeof(double) ? "double" : "float";
 
+/// A program that uses dgd_bullet itself queries Bullet's configuration only for types that dgd_bullet leaves to it.
+constexpr const char* kNoPairs =
+    "; no pair went through dgd-bullet-run: none met, or the program uses dgd_bullet itself";
+
 void PrintStatistics() {
-  const std::string json = dgd_bullet::ToJson(g_narrowphases->Total());
-  std::fprintf(stderr, "dgd-bullet: %s, Bullet in %s:\n%s", program_invocation_name, kPrecision, json.c_str());
+  const dgd_bullet::Statistics total = g_narrowphases->Total();
+  std::fprintf(stderr, "dgd-bullet: %s, Bullet in %s%s:\n%s", program_invocation_name, kPrecision,
+               total.pairs.empty() ? kNoPairs : "", dgd_bullet::ToJson(total).c_str());
 }
 
 void PrintAudit() {
+  const std::string pairs = g_audit->ToText();
+  if (pairs.empty()) {
+    std::fprintf(stderr, "dgd-bullet: audit of %s, Bullet in %s%s.\n", program_invocation_name, kPrecision, kNoPairs);
+    return;
+  }
   std::fprintf(stderr,
-               "dgd-bullet: audit of %s, Bullet in %s. Its contacts were the built-in's; separations, in metres, are "
-               "those of the deepest contact of a call:\n%s",
-               program_invocation_name, kPrecision, g_audit->ToText().c_str());
+               "dgd-bullet: audit of %s, Bullet in %s. The contacts of these pairs were the built-in's; separations, "
+               "in metres, are those of the deepest contact of a call:\n%s",
+               program_invocation_name, kPrecision, pairs.c_str());
 }
 
 /// @return null where the types are left to Bullet.

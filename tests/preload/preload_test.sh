@@ -95,6 +95,11 @@ fails_with 2 "relative_tolerance must be in (0, 1)" "$run" --set=relative_tolera
 fails_with 2 "there is no option --frob" "$run" --frob "$linked" one
 fails_with 2 "which program?" "$run"
 fails_with 127 "no_such_app is not found" "$run" ./no_such_app
+: >not_executable
+fails_with 126 "not_executable is not executable" "$run" ./not_executable
+fails_with 126 "alone is a folder" "$run" ./alone
+"$run" echo found >out
+expect '^found$' out
 fails_with 2 "static_app cannot be reached: Bullet is linked into it statically" "$run" "$static"
 "$run" --help >out 2>err
 expect 'libBulletCollision.so' out
