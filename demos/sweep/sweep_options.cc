@@ -96,6 +96,10 @@ std::variant<SweepOptions, ExitStatus> ParseSweepOptions(int argc, const char* c
     std::cerr << "--merge: runs nothing, and so has no use for --shard\n";
     return kBadInput;
   }
+  if (options.retry_failed && !options.merge.empty()) {
+    std::cerr << "--merge: runs nothing, and so has no use for --retry-failed\n";
+    return kBadInput;
+  }
   options.study = FindData(options.study);
   if (options.out.empty()) options.out = std::filesystem::path("out") / options.study.stem();
   return options;

@@ -182,6 +182,7 @@ TEST_F(SweepTest, BadInput_Status2BeforeAnythingRuns) {
            {"sweep " + study_ + " --shard 0/3", "--shard: must be I/N"},
            {"sweep " + study_ + " --jobs 0", "--jobs"},
            {"sweep " + study_ + " --shard 1/2 --merge x", "--merge: runs nothing"},
+           {"sweep " + study_ + " --retry-failed --merge x", "--merge: runs nothing"},
            {"sweep " + study_ + " --merge nowhere", "nowhere has no results"},
            {"swep", "swep is not a command"},
            {"", "Usage: headless_sim COMMAND"}}) {
