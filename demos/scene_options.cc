@@ -7,6 +7,7 @@
 #include "scene/scene_error.h"
 
 namespace dgd_demos {
+
 std::filesystem::path FindData(const std::filesystem::path& name) {
   std::error_code ignored;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
@@ -17,6 +18,8 @@ std::filesystem::path FindData(const std::filesystem::path& name) {
   }
   return name;
 }
+
+bool IsSceneName(const std::filesystem::path& world) { return !world.has_extension() && !world.has_parent_path(); }
 
 void AddDurationOption(CommandLine& line, std::optional<double>& duration) {
   line.AddNumber("--duration", "S", duration, "Simulated time in s, in place of the scene's");

@@ -15,6 +15,14 @@ namespace dgd_demos {
 /// the program was built from; `name` itself if it is nowhere, so that its absence is reported like any other file's.
 std::filesystem::path FindData(const std::filesystem::path& name);
 
+/// Whether a world is given by the name of a scene of this project ("tower_20") and not by a file's.
+bool IsSceneName(const std::filesystem::path& world);
+
+/// What is wrong with a scene's name that no scene has.
+inline constexpr const char* kNoSuchScene =
+    "there is no such scene; `headless_sim list` names those that come with this program, and files of your own are "
+    "given with folder or ending";
+
 /// Adds --duration.
 void AddDurationOption(CommandLine& line, std::optional<double>& duration);
 

@@ -126,8 +126,10 @@ void Complete(RunOptions& options, const std::string& narrowphase, bool no_snaps
 }  // namespace
 
 std::filesystem::path WorldFileNamed(const std::filesystem::path& world) {
-  if (world.has_extension() || world.has_parent_path()) return FindData(world);
-  return FindData("scenes" / std::filesystem::path(world.string() + ".json"));
+  if (!IsSceneName(world)) return FindData(world);
+  const std::filesystem::path file = FindData("scenes" / std::filesystem::path(world.string() + ".json"));
+  std::error_code ignored;
+  return std::filesystem::exists(file, ignored) ? file : world;
 }
 
 std::variant<RunOptions, ExitStatus> ParsePolytopeDropOptions(int argc, const char* const* argv) {

@@ -32,7 +32,8 @@ struct RunOptions {
 std::variant<RunOptions, ExitStatus> ParseRunOptions(int argc, const char* const* argv);
 std::variant<RunOptions, ExitStatus> ParsePolytopeDropOptions(int argc, const char* const* argv);
 
-/// Path of a scene of this project by its name ("tower_20"), or of any file.
+/// Path of a scene of this project by its name ("tower_20"), or of any file; a name that no scene has is returned as it
+/// is.
 std::filesystem::path WorldFileNamed(const std::filesystem::path& world);
 
 }  // namespace dgd_demos

@@ -43,6 +43,9 @@ WorldSource::WorldSource(const WorldRequest& request) : time_step_(request.time_
 #endif
     return;
   }
+  if (IsSceneName(request.file) && !std::filesystem::exists(request.file)) {
+    throw SceneError(request.file.string() + ": " + kNoSuchScene);
+  }
   scene_ = LoadScene(request.file, request.changes);
   if (time_step_) scene_->time_step = *time_step_;
   SetDuration(*scene_, request.duration);

@@ -5,8 +5,10 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <set>
 #include <sstream>
+#include <system_error>
 
 #include "scene/scene_error.h"
 
@@ -122,6 +124,14 @@ JsonReader JsonReader::At(std::size_t index) const { return {file_, value_.at(in
 std::size_t JsonReader::Size() const {
   if (!value_.is_array()) Fail("must be an array, not " + value_.dump());
   return value_.size();
+}
+
+void JsonReader::ExpectDistinct() const {
+  std::map<json, std::size_t> indices;
+  for (std::size_t i = 0; i < Size(); ++i) {
+    const auto [first, is_new] = indices.emplace(value_.at(i), i);
+    if (!is_new) At(first->second).Fail("is there twice, " + value_.at(i).dump());
+  }
 }
 
 std::vector<std::string> JsonReader::Keys() const {

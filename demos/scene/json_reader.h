@@ -29,10 +29,12 @@ class JsonReader {
 
   bool Has(const std::string& key) const;
   bool IsArray() const { return value_.is_array(); }
+  const nlohmann::json& value() const { return value_; }
   std::string Dump() const { return value_.dump(); }
   JsonReader At(const std::string& key) const;  ///< The key must be there.
   JsonReader At(std::size_t index) const;
-  std::size_t Size() const;  ///< Of an array.
+  std::size_t Size() const;     ///< Of an array.
+  void ExpectDistinct() const;  ///< An array without two entries that are equal.
 
   /// An object with no keys but these.
   void AllowOnly(const std::vector<std::string_view>& keys) const;

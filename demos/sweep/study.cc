@@ -4,9 +4,10 @@
 #include <set>
 #include <variant>
 
+#include "run/run_options.h"
 #include "scene/json_reader.h"
-#include "scene/scene_error.h"
 #include "scene_options.h"
+#include "sweep/variations.h"
 #include "world_file/bullet_file.h"
 
 namespace dgd_demos {
@@ -19,13 +20,14 @@ constexpr int kMaxSeeds = 100'000;
 constexpr Range kTimeStep = {0, kMaxTimeStep, /*low_is_allowed=*/false};  // s
 constexpr std::size_t kMaxRuns = 1'000'000;
 
-// What is there twice would count as two samples of a median.
-template <class Value>
-void FailAtRepetition(const std::vector<Value>& values, const JsonReader& array) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (std::ranges::count(values, values[i]) > 1) array.At(i).Fail("is there twice, " + array.At(i).Dump());
-  }
-}
+// What all worlds of a study have in common.
+struct Plan {
+  std::vector<std::string> precisions;
+  std::vector<std::uint64_t> seeds = {1};
+  std::vector<Variation> variations;
+  std::optional<double> duration, time_step;  // s
+  int oracle_every = 1;                       // Steps.
+};
 
 // [1, 2, 5], or { "from": 1, "to": 20 }.
 std::vector<std::uint64_t> ReadSeeds(const JsonReader& seeds) {
@@ -33,7 +35,7 @@ std::vector<std::uint64_t> ReadSeeds(const JsonReader& seeds) {
   if (seeds.IsArray()) {
     for (std::size_t i = 0; i < seeds.Size(); ++i) list.push_back(std::uint64_t(seeds.At(i).Integer(0, kMaxSeed)));
     if (list.empty()) seeds.Fail("must hold at least one seed");
-    FailAtRepetition(list, seeds);
+    seeds.ExpectDistinct();  // A seed that is there twice would count as two samples of a median.
     return list;
   }
   seeds.AllowOnly({"from", "to"});
@@ -48,52 +50,125 @@ std::vector<std::string> ReadTexts(const JsonReader& array) {
   for (std::size_t i = 0; i < array.Size(); ++i) {
     texts.push_back(array.At(i).Text());
   }
-  FailAtRepetition(texts, array);
+  array.ExpectDistinct();
   if (texts.empty()) array.Fail("must hold at least one entry");
   return texts;
 }
 
-// An object of lists is a grid, all combinations of their entries; an array of objects is a list of combinations.
-std::vector<SceneChanges> ReadVariations(const JsonReader& vary, const json& document) {
-  if (vary.IsArray()) {
-    std::vector<SceneChanges> list;
-    for (std::size_t i = 0; i < vary.Size(); ++i) {
-      SceneChanges& changes = list.emplace_back();
-      for (const std::string& path : vary.At(i).Keys()) changes.emplace_back(path, document[i].at(path));
+std::vector<std::string> ReadPrecisions(const JsonReader& array) {
+  std::vector<std::string> precisions = ReadTexts(array);
+  for (std::size_t i = 0; i < precisions.size(); ++i) {
+    if (precisions[i] != "float" && precisions[i] != "double") {
+      array.At(i).Fail("must be float or double, not " + precisions[i]);
     }
-    if (list.empty()) vary.Fail("must hold at least one entry");
-    FailAtRepetition(list, vary);
-    return list;
   }
-  std::vector<SceneChanges> grid(1);
-  for (const std::string& path : vary.Keys()) {
-    const JsonReader values = vary.At(path);
-    if (values.Size() == 0) values.Fail("must hold at least one value");
-    FailAtRepetition(document.at(path).get<std::vector<json>>(), values);
-    std::vector<SceneChanges> finer;
-    for (const SceneChanges& coarse : grid) {
-      for (const json& value : document.at(path)) {
-        finer.push_back(coarse);
-        finer.back().emplace_back(path, value);
-        if (finer.size() > kMaxRuns) vary.Fail("has more than " + std::to_string(kMaxRuns) + " combinations");
-      }
-    }
-    grid = std::move(finer);
-  }
-  return grid;
+  return precisions;
 }
 
-// Reads the world, so that what is wrong with it shows.
-bool HasRandomBodies(const std::filesystem::path& world, const SceneChanges& changes) {
-  if (IsWorldFile(world)) {
-    if (!changes.empty()) {
-      throw SceneError(world.string() + ": " + changes.front().first + ": is of scenes, and this is a world file");
-    }
-    ReadBulletFile(world);
-    return false;
+Plan ReadPlan(const JsonReader& root, const std::string& own_precision) {
+  Plan plan;
+  plan.precisions = {own_precision};
+  if (root.Has("precisions")) plan.precisions = ReadPrecisions(root.At("precisions"));
+  if (root.Has("seeds")) plan.seeds = ReadSeeds(root.At("seeds"));
+  if (root.Has("vary")) {
+    plan.variations = ReadVariations(root.At("vary"), kMaxRuns);
+  } else {
+    plan.variations.push_back({{}, {}, root});
   }
-  return std::ranges::any_of(LoadScene(world, changes).bodies,
+  if (root.Has("time_step")) plan.time_step = root.At("time_step").Number(kTimeStep);
+  if (root.Has("duration")) plan.duration = root.At("duration").Number({0, kMaxDuration, /*low_is_allowed=*/false});
+  if (root.Has("oracle_every")) plan.oracle_every = root.At("oracle_every").Integer(1, kMaxOracleEvery);
+  return plan;
+}
+
+// JSON paths in alphabetical order.
+std::vector<std::string> VariedPaths(const std::vector<Variation>& variations) {
+  std::set<std::string> paths;
+  for (const Variation& variation : variations) {
+    for (const auto& [path, value] : variation.changes) paths.insert(path);
+  }
+  return {paths.begin(), paths.end()};
+}
+
+std::filesystem::path FileOf(const JsonReader& world, const std::filesystem::path& folder) {
+  const std::filesystem::path name = world.Text();
+  if (!IsSceneName(name)) return folder / name;
+  const std::filesystem::path file = WorldFileNamed(name);
+  if (file == name) world.Fail(world.Dump() + ": " + kNoSuchScene);
+  return file;
+}
+
+// The runs of a study, world by world. Each world is read, so that a slip shows before the first run.
+class RunList {
+ public:
+  RunList(const JsonReader& root, const Plan& plan, Study& study) : root_(root), plan_(plan), study_(study) {}
+
+  void Add(const JsonReader& world);
+
+ private:
+  void CheckTimes(const JsonReader& world, double own_duration, double own_time_step) const;
+  void CheckWorldFile(const std::filesystem::path& file, const JsonReader& world) const;
+  bool HasRandomBodies(const std::filesystem::path& file, const JsonReader& world, const Variation& variation) const;
+
+  const JsonReader& root_;
+  const Plan& plan_;
+  Study& study_;
+};
+
+// Refuses a duration below the time step, where the study has one of them and the world the other.
+void RunList::CheckTimes(const JsonReader& world, double own_duration, double own_time_step) const {
+  const json duration = plan_.duration.value_or(own_duration), time_step = plan_.time_step.value_or(own_time_step);
+  if (duration >= time_step) return;
+  if (plan_.duration) {
+    root_.At("duration")
+        .Fail("must be at least a time step of " + world.Text() + ", " + time_step.dump() + " s, and is " +
+              duration.dump());
+  }
+  root_.At("time_step")
+      .Fail("must be at most the duration of " + world.Text() + ", " + duration.dump() + " s, and is " +
+            time_step.dump());
+}
+
+void RunList::CheckWorldFile(const std::filesystem::path& file, const JsonReader& world) const {
+  const std::string written_in = NameOf(ReadBulletFile(file).precision);
+  for (const Variation& variation : plan_.variations) {
+    if (variation.changes.empty()) continue;
+    variation.places.front().Fail("is a value of scenes, and " + world.Text() + " is a world file");
+  }
+  for (const std::string& precision : plan_.precisions) {
+    if (precision == written_in) continue;
+    world.Fail(world.Text() + " was written by a Bullet in " + written_in + " and cannot run in " + precision +
+               "; \"precisions\" must be [\"" + written_in + "\"]");
+  }
+  CheckTimes(world, kMaxDuration, 0);  // The file's own time step is for Bullet's importer to read.
+}
+
+bool RunList::HasRandomBodies(const std::filesystem::path& file, const JsonReader& world,
+                              const Variation& variation) const {
+  const Scene scene = LoadVariedScene(file, variation);
+  CheckTimes(world, scene.duration, scene.time_step);
+  return std::ranges::any_of(scene.bodies,
                              [](const BodyGroup& group) { return std::holds_alternative<RandomPolytopes>(group); });
+}
+
+void RunList::Add(const JsonReader& world) {
+  const std::filesystem::path file = FileOf(world, std::filesystem::path(study_.file).parent_path());
+  const bool is_scene = !IsWorldFile(file);
+  if (!is_scene) CheckWorldFile(file, world);
+  for (const Variation& variation : plan_.variations) {
+    // Seeds differ in random bodies alone.
+    const bool has_seeds = is_scene && HasRandomBodies(file, world, variation);
+    for (std::size_t s = 0; s < (has_seeds ? plan_.seeds.size() : 1); ++s) {
+      for (const std::string& narrowphase : study_.narrowphases) {
+        for (const std::string& precision : plan_.precisions) {
+          const int number = static_cast<int>(study_.runs.size());
+          study_.runs.push_back({number, world.Text(), file.string(), variation.changes, plan_.seeds[s], narrowphase,
+                                 precision, plan_.duration, plan_.time_step, plan_.oracle_every});
+        }
+      }
+    }
+    if (study_.runs.size() > kMaxRuns) root_.Fail("has more than " + std::to_string(kMaxRuns) + " runs");
+  }
 }
 
 }  // namespace
@@ -126,54 +201,18 @@ Study LoadStudy(const std::filesystem::path& file, const std::string& own_precis
   root.AllowOnly(
       {"about", "worlds", "narrowphases", "precisions", "seeds", "vary", "duration", "time_step", "oracle_every"});
   root.At("about").Text();
-
-  std::vector<std::string> precisions = {own_precision};
   if (root.Has("narrowphases")) study.narrowphases = ReadTexts(root.At("narrowphases"));
-  if (root.Has("precisions")) {
-    precisions = ReadTexts(root.At("precisions"));
-    for (std::size_t i = 0; i < precisions.size(); ++i) {
-      if (precisions[i] != "float" && precisions[i] != "double") {
-        root.At("precisions").At(i).Fail("must be float or double, not " + precisions[i]);
-      }
+  const Plan plan = ReadPlan(root, own_precision);
+  study.varied = VariedPaths(plan.variations);
+  for (const std::string key : {"duration", "time_step"}) {
+    if (root.Has(key) && std::ranges::count(study.varied, "/" + key) > 0) {
+      root.At(key).Fail("is varied as well; leave one out");
     }
   }
-  std::vector<std::uint64_t> seeds = {1};
-  if (root.Has("seeds")) seeds = ReadSeeds(root.At("seeds"));
-  std::vector<SceneChanges> variations(1);
-  if (root.Has("vary")) variations = ReadVariations(root.At("vary"), study.document.at("vary"));
-  std::optional<double> duration, time_step;
-  if (root.Has("time_step")) time_step = root.At("time_step").Number(kTimeStep);
-  if (root.Has("duration")) duration = root.At("duration").Number({0, kMaxDuration, /*low_is_allowed=*/false});
-  int oracle_every = 1;
-  if (root.Has("oracle_every")) oracle_every = root.At("oracle_every").Integer(1, kMaxOracleEvery);
-
-  std::set<std::string> varied;
-  for (const SceneChanges& changes : variations) {
-    for (const auto& [path, value] : changes) varied.insert(path);
-  }
-  study.varied.assign(varied.begin(), varied.end());
-  for (const char* key : {"duration", "time_step"}) {
-    if (root.Has(key) && varied.contains(std::string("/") + key)) root.At(key).Fail("is varied as well; leave one out");
-  }
-
-  const std::vector<std::string> worlds = ReadTexts(root.At("worlds"));
-  for (const std::string& world : worlds) {
-    const std::filesystem::path path = file.parent_path() / world;
-    for (const SceneChanges& changes : variations) {
-      // Seeds differ in random bodies alone.
-      const std::size_t runs_of_it = HasRandomBodies(path, changes) ? seeds.size() : 1;
-      for (std::size_t s = 0; s < runs_of_it; ++s) {
-        for (const std::string& narrowphase : study.narrowphases) {
-          for (const std::string& precision : precisions) {
-            const int number = static_cast<int>(study.runs.size());
-            study.runs.push_back({number, world, path.string(), changes, seeds[s], narrowphase, precision, duration,
-                                  time_step, oracle_every});
-          }
-        }
-      }
-      if (study.runs.size() > kMaxRuns) root.Fail("has more than " + std::to_string(kMaxRuns) + " runs");
-    }
-  }
+  const JsonReader worlds = root.At("worlds");
+  ReadTexts(worlds);
+  RunList runs(root, plan, study);
+  for (std::size_t i = 0; i < worlds.Size(); ++i) runs.Add(worlds.At(i));
   return study;
 }
 

@@ -14,11 +14,11 @@ constexpr const char* kDescription =
 tables of medians. What is done is not done again: called once more, it goes on from where it was ended.)";
 
 constexpr const char* kFooter = R"(
-STUDY is a JSON file:
-  { "about": "friction and time step of the tower",
-    "worlds": ["tower_20.json", "app.bullet"],         from the study's folder on
-    "narrowphases": ["builtin", "dgd", "dgd:friction_anchors=off"],
-    "seeds": { "from": 1, "to": 20 },                  or a list; only for scenes with random bodies
+STUDY is a JSON file, in which "about" and "worlds" are required:
+  { "about": "friction and time step of the tower",    any text
+    "worlds": ["tower_20", "my.json", "app.bullet"],   scenes of `headless_sim list`; files from its folder on
+    "narrowphases": ["builtin", "dgd", "dgd:friction_anchors=off"],    the first two if left out
+    "seeds": { "from": 1, "to": 20 },                  or a list, of scenes with random bodies; 1 if left out
     "precisions": ["float", "double"],                 of Bullet; that of this program if left out
     "vary": { "/time_step": [0.002, 0.004],            all combinations of these values of the scene;
               "/ground/friction": [0.3, 0.6] },        or a list of objects with one value for each path

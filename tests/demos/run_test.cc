@@ -180,6 +180,13 @@ TEST_F(RunTest, WorldFile_RunsAsTheSceneThatItWasWrittenFrom) {
   const std::string study =
       folder_.Write("study.json", R"({ "about": "a", "worlds": ["box.bullet"], "duration": 0.1 })").string();
   EXPECT_EQ(Run("sweep " + study + " --out " + Path("study")).status, 0);
+  const std::string both = folder_
+                               .Write("both.json", R"({ "about": "a", "worlds": ["box.bullet"],
+      "precisions": ["float", "double"] })")
+                               .string();
+  const Outcome other = Run("sweep " + both + " --out " + Path("both"));
+  EXPECT_EQ(other.status, 2);
+  EXPECT_EQ(Count(other.output, "both.json: /worlds/0: box.bullet was written by a Bullet in "), 1) << other.output;
 
   EXPECT_EQ(Run("run " + Path("box.bullet") + " --duration 1e9 --out " + Path("bad")).status, 2);
   folder_.Write("cut.bullet", ReadFile(Path("box.bullet")).substr(0, 1000));
@@ -191,14 +198,15 @@ TEST_F(RunTest, WorldFile_RunsAsTheSceneThatItWasWrittenFrom) {
 }
 
 TEST_F(RunTest, BadInput_Status2) {
-  for (const auto& [arguments, complaint] :
-       std::vector<std::pair<std::string, std::string>>{{"", "world is required"},
-                                                        {"nowhere", "nowhere.json: cannot be opened"},
-                                                        {scene_ + " --set patch=1", "there is no option 'patch'"},
-                                                        {scene_ + " --set patch_size=0", "patch_size"},
-                                                        {scene_ + " --sample-every -1", "--sample-every"},
-                                                        {scene_ + " --precision half", "--precision"},
-                                                        {scene_ + " --seed x", "--seed"}}) {
+  for (const auto& [arguments, complaint] : std::vector<std::pair<std::string, std::string>>{
+           {"", "world is required"},
+           {"nowhere", "nowhere: there is no such scene; `headless_sim list` names"},
+           {"nowhere.json", "nowhere.json: cannot be opened"},
+           {scene_ + " --set patch=1", "there is no option 'patch'"},
+           {scene_ + " --set patch_size=0", "patch_size"},
+           {scene_ + " --sample-every -1", "--sample-every"},
+           {scene_ + " --precision half", "--precision"},
+           {scene_ + " --seed x", "--seed"}}) {
     const Outcome outcome = Run("run " + arguments + " --no-snapshots --duration 0.02 --out " + Path("bad"));
     EXPECT_EQ(outcome.status, 2) << arguments << ": " << outcome.output;
     EXPECT_GE(Count(outcome.output, complaint), 1) << arguments << ": " << outcome.output;

@@ -154,6 +154,17 @@ TEST_F(SweepTest, CrashedRun_IsToldAndCanBeDoneAgain) {
   EXPECT_EQ(Run("sweep " + study + " --out " + Path("out")).status, 1) << "it is not done again by itself";
 }
 
+TEST_F(SweepTest, SceneByName_IsFoundFromAnyFolder) {
+  const std::string study = folder_
+                                .Write("named.json", R"({ "about": "a", "worlds": ["rest_on_plane"],
+      "narrowphases": ["dgd"], "duration": 0.1 })")
+                                .string();
+  const Outcome outcome = dgd_test::RunProgram(
+      "sh", "-c 'cd " + folder_.path().string() + " && " + DGD_TEST_HEADLESS_SIM + " sweep named.json'");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_EQ(Count(ReadFile(Path("out/named/runs.csv")), "\n0,rest_on_plane,1,dgd,"), 1);
+}
+
 TEST_F(SweepTest, LostBody_Status1) {
   std::string text = ValidSceneText();
   text.replace(text.find("[0, 0, 1]"), 9, "[9, 0, 1]");  // Beside the ground.

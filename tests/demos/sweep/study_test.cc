@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <tuple>
 
 #include "scene/scene_error.h"
 #include "small_scenes.h"
@@ -77,8 +78,6 @@ TEST_F(StudyTest, Slips_AreNamed) {
            {R"("seeds": [1.5])", "/seeds/0: must be an integer, not 1.5"},
            {R"("precisions": ["half"])", "/precisions/0: must be float or double, not half"},
            {R"("narrowphases": ["dgd", "dgd"])", "/narrowphases/0: is there twice"},
-           {R"("vary": { "/time_step": [-1] })", "box.json: /time_step: must be above 0"},
-           {R"("vary": { "/timestep": [0.1] })", "box.json: /timestep: is not a known key"},
            {R"("vary": { "/bodies/7/mass": [1] })", "box.json: /bodies/7/mass: is not in the scene"},
            {R"("vary": { "/bodies/9": [1] })", "box.json: /bodies/9: is not in the scene"},
            {R"("vary": { "mass": [1] })", "box.json: mass: is no JSON path"},
@@ -92,8 +91,45 @@ TEST_F(StudyTest, Slips_AreNamed) {
            {R"("oracle_every": 0)", "/oracle_every: must be from 1"}}) {
     EXPECT_NE(ErrorOf(with(more)).find(complaint), std::string::npos) << more << " gives: " << ErrorOf(with(more));
   }
+  EXPECT_NE(ErrorOf(R"({ "worlds": ["box.json"] })").find("study.json: /about: is missing"), std::string::npos);
   EXPECT_NE(ErrorOf(R"({ "about": "a", "worlds": ["nowhere.json"] })").find("nowhere.json"), std::string::npos);
+  EXPECT_NE(ErrorOf(R"({ "about": "a", "worlds": ["box.json", "nowhere"] })")
+                .find("study.json: /worlds/1: \"nowhere\": there is no such scene; `headless_sim list`"),
+            std::string::npos);
   EXPECT_NE(ErrorOf(R"({ "about": "a", "worlds": [] })").find("/worlds: must hold"), std::string::npos);
+}
+
+// The study's place comes first, then what the scene says of the value.
+TEST_F(StudyTest, SlipOfAVariedValue_NamesStudyPlaceAndScene) {
+  const std::string study = (folder_.path() / "study.json").string(), box = (folder_.path() / "box.json").string();
+  for (const auto& [vary, place, complaint] : std::vector<std::tuple<std::string, std::string, std::string>>{
+           {R"({ "/time_step": [0.004, -1] })", "/vary/~1time_step/1", "/time_step: must be above 0"},
+           {R"({ "/timestep": [0.1] })", "/vary/~1timestep/0", "/timestep: is not a known key"},
+           {R"({ "/margin": [0.01], "/time_step": [0.002, -1] })", "/vary/~1time_step/1",
+            "/time_step: must be above 0"},
+           {R"([ { "/margin": 0.01 }, { "/margin": 0.01, "/bodies/9": 1 } ])", "/vary/1/~1bodies~19",
+            "/bodies/9: is not in the scene"},
+           {R"({ "/margin": [-1], "/time_step": [-1] })", "/vary", "/time_step: must be above 0"}}) {
+    const std::string error = ErrorOf(R"({ "about": "a", "worlds": ["box.json"], "vary": )" + vary + "}");
+    EXPECT_EQ(error.find(study + ": " + place + ": " + box + ": " + complaint), 0U) << error;
+  }
+  folder_.Write("bad.json", "{}");
+  const std::string error = ErrorOf(R"({ "about": "a", "worlds": ["bad.json"], "vary": { "/margin": [0.01] } })");
+  EXPECT_EQ(error.find((folder_.path() / "bad.json").string() + ": /"), 0U) << "not of the study's: " << error;
+}
+
+TEST_F(StudyTest, DurationBelowATimeStep_IsRefused) {
+  const auto with = [](const std::string& more) { return R"({ "about": "a", "worlds": ["box.json"], )" + more + "}"; };
+  const std::string refused = "study.json: /duration: must be at least a time step of box.json, ";
+  for (const auto& [more, complaint] : std::vector<std::pair<std::string, std::string>>{
+           {R"("duration": 0.003)", refused + "0.004 s, and is 0.003"},
+           {R"("duration": 0.01, "time_step": 0.02)", refused + "0.02 s, and is 0.01"},
+           {R"("duration": 0.01, "vary": { "/time_step": [0.005, 0.02] })", refused + "0.02 s, and is 0.01"},
+           {R"("time_step": 0.02, "vary": [ { "/duration": 0.01, "/snapshots": [] } ])",
+            "study.json: /time_step: must be at most the duration of box.json, 0.01 s, and is 0.02"}}) {
+    EXPECT_NE(ErrorOf(with(more)).find(complaint), std::string::npos) << more << " gives: " << ErrorOf(with(more));
+  }
+  EXPECT_EQ(ErrorOf(with(R"("duration": 0.004)")), "no error");
 }
 
 RunRecord ExampleRecord(int number) {
