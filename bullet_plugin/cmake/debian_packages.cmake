@@ -114,4 +114,17 @@ foreach(component IN ITEMS runtime development tools)
     DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME}"
     COMPONENT ${component})
 endforeach()
+
+# The documentation of each package, in folders as in the source, so that links from page to page work.
+set(documented_development . dgd_core bullet_plugin)
+set(documented_tools . bullet_plugin demos scenes)
+foreach(component IN ITEMS development tools)
+  string(TOUPPER ${component} upper)
+  foreach(folder IN LISTS documented_${component})
+    install(
+      FILES "${PROJECT_SOURCE_DIR}/${folder}/README.md"
+      DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME}/${folder}"
+      COMPONENT ${component})
+  endforeach()
+endforeach()
 include(CPack)
