@@ -9,7 +9,7 @@
 namespace dgd_demos {
 namespace {
 
-/// Without CLI11's own description of the choices or limits in --help.
+/// The check without CLI11's own description of the choices or limits in --help.
 template <class Check>
 CLI::Validator Silent(Check check) {
   return check.description("");
@@ -38,7 +38,7 @@ constexpr bool kIsList<std::vector<Entry>> = true;
 struct CommandLine::Parser {
   CLI::App app;
 
-  /// Of an option that is given several times, the last one counts, as in most programs; lists have all their entries.
+  /// An option that is given several times has its last value, as in most programs; a list has all of them.
   template <class Value>
   CLI::Option& Add(const std::string& name, const std::string& kind, Value& value, const std::string& help) {
     CLI::Option& option = *app.add_option(name, value, help)->type_name(kind);
@@ -129,7 +129,7 @@ std::optional<int> CommandLine::Parse(int argc, const char* const* argv) try {
   parser_->app.parse(argc, argv);
   return std::nullopt;
 } catch (const CLI::ParseError& end) {
-  // CLI11's own statuses tell kinds of mistakes apart; ours says only that there was one.
+  // CLI11's own statuses distinguish kinds of mistakes; ours only reports that there was one.
   constexpr int kBadInput = 2;
   return parser_->app.exit(end, std::cout, std::cerr) == 0 ? 0 : kBadInput;
 }

@@ -13,7 +13,7 @@
 
 namespace dgd_demos {
 
-/// Of a number; either is allowed.
+/// Range of a number, ends included.
 template <class Number>
 struct Limits {
   Number least, most;
@@ -36,10 +36,10 @@ class CommandLine {
   /// Some numbers, with commas or spaces between them.
   void AddNumbers(const std::string& name, const std::string& kind, std::vector<double>& values,
                   const Limits<double>& limits, const std::string& help);
-  /// Any number, or none.
+  /// Any number, or nothing.
   void AddNumber(const std::string& name, const std::string& kind, std::optional<double>& value,
                  const std::string& help);
-  /// A case's, from 0, or none.
+  /// The index of a case, from 0, or nothing.
   void AddIndex(const std::string& name, std::optional<int>& index, const std::string& help);
   /// --seed: a whole 64-bit number.
   void AddSeed(std::uint64_t& seed, const std::string& help);
@@ -59,7 +59,7 @@ class CommandLine {
                   const std::vector<std::string>& choices, const std::string& help);
   void AddFlag(const std::string& name, bool& flag, const std::string& help);
 
-  /// Reads the options, or answers --help, or complains on standard error.
+  /// Reads the options, prints --help, or reports a mistake on standard error.
   /// @return nothing; or the program is to end with this exit status, as all programs name them: 0 (kSuccess) after
   ///         --help, 2 (kBadInput) after a complaint.
   std::optional<int> Parse(int argc, const char* const* argv);

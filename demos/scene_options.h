@@ -11,8 +11,9 @@
 
 namespace dgd_demos {
 
-/// A file of this project, such as "scenes/arch.json": here, beside an installed program, or in the source tree that
-/// the program was built from; `name` itself if it is nowhere, so that its absence is reported like any other file's.
+/// Path of a file of this project, such as "scenes/arch.json": in the working directory, among an installed program's
+/// data, or in the source tree that the program was built from; `name` itself if there is none, so that its absence is
+/// reported like any other file's.
 std::filesystem::path FindData(const std::filesystem::path& name);
 
 /// Whether a world is given by the name of a scene of this project ("tower_20") and not by a file's.
@@ -31,14 +32,14 @@ inline constexpr int kMaxOracleEvery = 1'000'000;  ///< Steps.
 /// Adds --oracle-every.
 void AddOracleEveryOption(CommandLine& line, int& oracle_every);
 
-/// @throws SceneError unless it is from one time step up to kMaxDuration.
+/// @throws SceneError unless the duration is from one time step up to kMaxDuration.
 void CheckDuration(double duration, double time_step);
 
-/// Gives a scene the duration asked for, if any, in place of its own.
-/// @throws SceneError about one that it cannot have.
+/// Gives a scene the requested duration, if any, in place of its own.
+/// @throws SceneError about a duration that it cannot have.
 void SetDuration(Scene& scene, const std::optional<double>& duration);
 
-/// The scene of the file, with the duration asked for, if any.
+/// The scene of the file, with the requested duration, if any.
 /// @throws SceneError about the file, or about a duration that it cannot have.
 Scene LoadSceneFor(const std::filesystem::path& file, const std::optional<double>& duration);
 

@@ -12,7 +12,7 @@ namespace dgd_demos {
 
 struct TableColumn {
   std::string narrowphase;
-  std::vector<FigureValues> runs;  ///< Of one scene: a run a seed, at least one.
+  std::vector<FigureValues> runs;  ///< Runs of one scene, a run a seed, at least one.
 };
 
 /// The rows aligned for reading; "-" where a run has no such figure. With several runs, medians are followed by their

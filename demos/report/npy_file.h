@@ -1,8 +1,8 @@
 // A file that numpy.load() opens: records of named columns, added as a simulation goes.
 //
-// Of NumPy's two formats, .npy and not .npz: the latter is an archive whose table comes last, so that a program that
-// dies leaves nothing that can be opened. Here the head, which says how many records there are, is brought up to date
-// with each Flush(); what is beyond it is not looked at. Columns have names, as in a CSV, and values are exact.
+// NumPy's format is .npy and not .npz: the latter is an archive whose table comes last, so that a program that dies
+// leaves nothing that can be opened. Here each Flush() updates the head, which has the number of records; NumPy ignores
+// bytes beyond them. Columns have names, as in a CSV, and values are exact.
 #pragma once
 
 #include <cstdint>

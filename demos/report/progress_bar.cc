@@ -13,7 +13,7 @@ namespace {
 constexpr int kWidth = 40;  // Characters.
 constexpr std::chrono::milliseconds kPeriod{100};
 
-// "1:05:30", "5:30"; nothing while it is anybody's guess.
+// "1:05:30", "5:30"; empty while there is no estimate.
 std::string TimeLeft(double elapsed, double share) {
   constexpr double kLeastShare = 0.01, kLeastElapsed = 2;  // s
   if (share < kLeastShare || elapsed < kLeastElapsed) return "";

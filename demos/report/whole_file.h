@@ -1,4 +1,4 @@
-// Files as a whole: written so that they are complete or not there, and read.
+// Files as a whole: written so that they are complete or do not exist, and read.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 namespace dgd_demos {
 
 /// Writes another file in the same folder, to the disk, and renames it: no reader sees a part, whenever this process or
-/// another one that writes the same file dies.
+/// another writer of the same file dies.
 /// @param content  bytes.
 /// @throws std::runtime_error with the file and the reason, as on a full disk; the file is then as it was.
 void WriteWholeFile(const std::filesystem::path& file, std::string_view content);

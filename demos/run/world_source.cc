@@ -21,7 +21,7 @@ void CheckTimeStep(double time_step) {
 }
 
 #ifndef DGD_DEMOS_WORLD_FILES
-// Without Bullet's reader of world files.
+// Stands in for Bullet's reader of world files.
 CheckedWorld LoadWorldFile(const std::filesystem::path& file) {
   throw SceneError(file.string() +
                    ": this program is built without Bullet's reader of world files (Debian's package is "

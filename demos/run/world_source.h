@@ -17,14 +17,14 @@
 namespace dgd_demos {
 
 struct WorldRequest {
-  std::filesystem::path file;       ///< .json: a scene; .bullet: what Bullet's serializer writes.
+  std::filesystem::path file;       ///< A scene (.json), or a file of Bullet's serializer (.bullet).
   std::uint64_t seed = 1;           ///< Seed of a scene's random bodies.
   std::optional<double> duration;   ///< s, in place of the scene's, or of kWorldFileDuration.
   std::optional<double> time_step;  ///< s, in place of the world's own.
   SceneChanges changes = {};        ///< Values of a scene in place of the file's.
 };
 
-inline constexpr double kWorldFileDuration = 10;  ///< s; a world file has none.
+inline constexpr double kWorldFileDuration = 10;  ///< s; default, since a world file has no duration.
 
 class WorldSource {
  public:
@@ -35,11 +35,11 @@ class WorldSource {
   std::unique_ptr<SimulatedWorld> Make(const NarrowphaseChoice& narrowphase) const;
 
   double duration() const { return duration_; }  ///< s
-  /// None for a world file.
+  /// The scene; nothing for a world file.
   const std::optional<Scene>& scene() const { return scene_; }
   /// Bodies of the scene; see MakeBodies().
   const std::vector<Body>& bodies() const { return bodies_; }
-  /// What is not restored of a world file and what is not judged, a sentence for each kind.
+  /// Sentences about parts of a world file that are not restored, and about shapes that the oracle does not judge.
   const std::vector<std::string>& remarks() const { return remarks_; }
 
  private:

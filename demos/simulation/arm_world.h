@@ -46,7 +46,7 @@ class ArmWorld {
   Configuration JointAngles() const;
   Eigen::VectorXd JointVelocities() const;  ///< rad/s
   Eigen::VectorXd MotorEfforts() const;     ///< Mean over the last step, N m.
-  std::vector<Pose> LinkPosesNow() const;   ///< In the world by Bullet, base first.
+  std::vector<Pose> LinkPosesNow() const;   ///< Bullet's poses in the world, base first.
   Pose FlangePoseNow() const;
 
   /// A pair in contact in the last step: it overlapped when the step began, or one body pushed the other.
@@ -69,7 +69,7 @@ class ArmWorld {
   const Arm arm_;
   const double time_step_;
 
-  // In order of construction: each needs those above it until it is gone.
+  // Members in order of construction: each refers to those above it until it is destroyed.
   std::unique_ptr<btDefaultCollisionConfiguration> configuration_;
   btCollisionDispatcher dispatcher_;
   CheckedPairFilter filter_;
@@ -80,9 +80,9 @@ class ArmWorld {
   std::vector<std::unique_ptr<btCompoundShape>> compounds_;
   std::vector<std::unique_ptr<btRigidBody>> fixed_bodies_;
   btMultiBody body_;
-  std::vector<std::unique_ptr<btMultiBodyLinkCollider>> colliders_;  // Of the links, base first.
+  std::vector<std::unique_ptr<btMultiBodyLinkCollider>> colliders_;  // Colliders of the links, base first.
   std::vector<std::unique_ptr<btMultiBodyJointMotor>> motors_;
-  std::vector<std::string> names_;  // By user index: links first, then fixed bodies.
+  std::vector<std::string> names_;  // Names by user index: links first, then fixed bodies.
 };
 
 }  // namespace dgd_demos

@@ -1,4 +1,4 @@
-// What there is to know of Bullet's objects after a step, in the demos' types.
+// State of Bullet's objects after a step, in the demos' types.
 #pragma once
 
 #include <btBulletDynamicsCommon.h>
@@ -12,10 +12,10 @@
 
 namespace dgd_demos {
 
-/// Of the step just taken. @param fallbacks  in this step.
+/// Counts of the last step. @param fallbacks  Fallbacks in this step.
 CollisionReport ReportStep(TimingDispatcher& dispatcher, const btOverlappingPairCache& pairs, std::uint64_t fallbacks);
 
-/// By the objects' user indices.
+/// Overlapping pairs, by the objects' user indices.
 std::vector<BodyPair> IndexPairs(const btOverlappingPairCache& pairs);
 
 double KineticEnergy(const btRigidBody& body);  ///< J

@@ -19,20 +19,20 @@ struct ExecutionOptions {
   /// Share of a joint's position error that its motor corrects in a step; (0, 1]. 1 leaves no error wherever the effort
   /// suffices, as no controller does; less is as soft as a controller with that rate.
   double position_gain = 0.2;
-  /// Of Bullet's solver in a step. Each joint's motor has to know what all others do, and learns it one iteration at a
-  /// time, so that an arm needs more of them than Bullet's 10.
+  /// Iterations of Bullet's solver in a step. The effort of each joint's motor depends on all others, and converges by
+  /// iterations, so that an arm needs more of them than Bullet's 10.
   int solver_iterations = 100;
 };
 
-/// What is known at the end of a step.
+/// State at the end of a step.
 struct ExecutionStep {
   double time;                 ///< s
   Configuration planned;       ///< Angles of the timed path at that time, rad.
   Configuration angles;        ///< Angles of the joints in the world, rad.
-  Eigen::VectorXd velocities;  ///< Of the joints in the world, rad/s.
-  Eigen::VectorXd efforts;     ///< Of the motors in the step, N m; at most the joint's max_effort.
-  Eigen::Vector3d flange;      ///< In the world, by Bullet's pose of the last link, m.
-  double tracking_error;       ///< From the flange to where the planned angles would have it, m.
+  Eigen::VectorXd velocities;  ///< Velocities of the joints in the world, rad/s.
+  Eigen::VectorXd efforts;     ///< Efforts of the motors in the step, N m; at most the joint's max_effort.
+  Eigen::Vector3d flange;      ///< Position in the world by Bullet's pose of the last link, m.
+  double tracking_error;       ///< Distance of the flange from its place at the planned angles, m.
   int contacts;                ///< Pairs in contact at the beginning of the step.
 };
 
@@ -50,17 +50,17 @@ struct ExecutionResult {
   std::optional<std::string> failure;
   double duration = 0;  ///< Simulated, the hold included, s.
 
-  double greatest_error = 0;                         ///< Of the flange's tracking errors, m.
+  double greatest_error = 0;                         ///< Greatest tracking error of the flange, m.
   double greatest_error_time = 0;                    ///< s
-  Eigen::Vector3d greatest_error_place = {0, 0, 0};  ///< Where the flange was then, m.
+  Eigen::Vector3d greatest_error_place = {0, 0, 0};  ///< Position of the flange then, m.
   double rms_error = 0;                              ///< Over all steps, m.
   double final_error = 0;                            ///< At the end of the hold, m.
-  double greatest_velocity_share = 0;                ///< Of a joint's max_velocity.
-  double greatest_effort_share = 0;                  ///< Of a joint's max_effort; 1 if a motor was too weak.
-  std::string greatest_effort_joint;                 ///< Whose effort that was.
+  double greatest_velocity_share = 0;                ///< Greatest share of a joint's max_velocity.
+  double greatest_effort_share = 0;   ///< Greatest share of a joint's max_effort; 1 if a motor was too weak.
+  std::string greatest_effort_joint;  ///< Whose effort that was.
 
   std::vector<ExecutionStep> steps;
-  std::vector<ExecutionContact> contacts;  ///< In the order in which they began.
+  std::vector<ExecutionContact> contacts;  ///< Contacts in the order in which they began.
 };
 
 /// What the tracking error means: Bullet's joint motors are constraints of limited effort, solved together with the

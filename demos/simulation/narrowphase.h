@@ -17,7 +17,7 @@ enum class Narrowphase {
   kDgd,      ///< The plugin.
 };
 
-/// As on the command line and in file names: "builtin" or "dgd".
+/// Name on the command line and in file names: "builtin" or "dgd".
 std::string_view NameOf(Narrowphase narrowphase);
 
 /// A narrowphase with options: "friction_anchors=off,patch_size=1" (dgd_bullet/option_text.h), which only the plugin
@@ -26,8 +26,8 @@ struct NarrowphaseChoice {
   NarrowphaseChoice(Narrowphase of_kind, std::string with_options = "")
       : kind(of_kind), options(std::move(with_options)) {}
 
-  /// From what Name() returns: "builtin", "dgd", or "dgd:friction_anchors=off,patch_size=1".
-  /// @throws std::invalid_argument about a name that is none, or an option that is wrong.
+  /// The choice that Name() names: "builtin", "dgd", or "dgd:friction_anchors=off,patch_size=1".
+  /// @throws std::invalid_argument about an unknown name or a wrong option.
   static NarrowphaseChoice Named(std::string_view name);
   std::string Name() const;
 

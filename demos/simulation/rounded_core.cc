@@ -23,7 +23,7 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kMostVertices = 400;
 
-// From local z to another axis, by an even exchange of axes.
+// Rotation from local z to another axis, by an even exchange of axes.
 Polyhedron AlongAxis(int axis, Polyhedron polyhedron) {
   if (axis == 2) return polyhedron;
   const auto turn = [axis](Vector3d& v) {
@@ -40,7 +40,7 @@ RoundedPolyhedron CoreOfBox(const btBoxShape& box) {
   return {CoreOf(shape, margin), RoundingRadius(shape, margin)};
 }
 
-// By its own margin, which a tenth of its size need not bound: whoever made the shape may have set any.
+// The convex radius is the shape's own margin, which a tenth of its size need not bound: a program may set any margin.
 std::optional<RoundedPolyhedron> CoreOfCylinder(const btCylinderShape& cylinder) {
   const int axis = cylinder.getUpAxis();
   const Vector3d core = FromBullet(cylinder.getHalfExtentsWithoutMargin());
@@ -117,7 +117,7 @@ std::optional<RoundedPolyhedron> RoundedCoreOf(const btConvexShape& shape) {
   try {
     return SolidCoreOf(shape);
   } catch (const std::invalid_argument&) {
-    return std::nullopt;  // Flat, or as good as: the oracle knows no polygons.
+    return std::nullopt;  // Flat, or nearly so: the oracle does not judge polygons.
   }
 }
 

@@ -1,4 +1,4 @@
-// Bullet's shapes as the oracle sees them, whoever made them.
+// Bullet's shapes as the oracle sees them, regardless of the program that made them.
 #pragma once
 
 #include <BulletCollision/CollisionShapes/btConvexShape.h>

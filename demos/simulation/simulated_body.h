@@ -1,4 +1,4 @@
-// What a run needs to know of a body, whether a scene or a world file of Bullet's has it.
+// A body of a run, from a scene or from a world file of Bullet's.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,7 +9,7 @@
 namespace dgd_demos {
 
 struct SimulatedBody {
-  std::string name;       ///< For messages.
+  std::string name;       ///< Name in messages.
   bool moves;             ///< False: static.
   Eigen::Vector3d start;  ///< Position of the local origin at the beginning, world frame, m.
   double radius;          ///< Radius of the ball about the local origin that contains the body, m; infinite for planes.

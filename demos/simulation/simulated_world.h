@@ -39,11 +39,11 @@ class SimulatedWorld {
   virtual std::vector<OracleBody> OracleBodies() const = 0;
 
   virtual std::vector<Pose> Poses() const = 0;  ///< Now.
-  /// Of overlapping bounding boxes in the last step. Poses taken before a step and pairs after it are what its
+  /// Pairs of overlapping bounding boxes in the last step. Poses taken before a step and pairs after it are what its
   /// narrowphase was given.
   virtual std::vector<BodyPair> OverlappingPairs() const = 0;
   virtual std::vector<Motion> Motions() const = 0;
-  std::vector<double> Speeds() const;  ///< Of the centres of mass, m/s.
+  std::vector<double> Speeds() const;  ///< Speeds of the centres of mass, m/s.
   virtual Energy TotalEnergy() const = 0;
 
   /// Box in which the centres of moving bodies are expected, world frame, m.

@@ -9,8 +9,8 @@ namespace dgd_demos {
 
 struct Snapshot {
   double time;                 ///< s
-  std::vector<Pose> poses;     ///< In the order of the bodies, the ground first.
-  std::vector<double> speeds;  ///< Of the centres of mass, m/s.
+  std::vector<Pose> poses;     ///< Poses in the order of the bodies, the ground first.
+  std::vector<double> speeds;  ///< Speeds of the centres of mass, m/s.
 };
 
 }  // namespace dgd_demos

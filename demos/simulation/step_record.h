@@ -1,4 +1,4 @@
-// What is known of one simulation step, free of Bullet.
+// The state and the counts of one simulation step, free of Bullet.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace dgd_demos {
 struct CollisionReport {
   double narrowphase_us;       ///< Wall time of the dispatch of all pairs.
   int pairs;                   ///< Pairs of overlapping bounding boxes.
-  int queries;                 ///< Those of them that are not both asleep, which the narrowphase was asked about.
+  int queries;                 ///< Pairs of which a body is awake: those that the narrowphase processed.
   int contacts;                ///< Points in all contact manifolds, the slightly separated ones included.
   double deepest_penetration;  ///< Greatest depth that a contact point reports, m; 0 if none penetrates.
   std::uint64_t fallbacks;     ///< Queries that the plugin handed back to Bullet's GJK/EPA.
@@ -25,9 +25,9 @@ struct StepRecord {
   double time;    ///< At the end of the step, s.
   Energy energy;  ///< At the end of the step.
   CollisionReport collision;
-  /// Deepest true penetration at the poses that the narrowphase was given, m; where the oracle was asked.
+  /// Deepest true penetration at the poses that the narrowphase was given, m; nothing if the oracle was not run.
   std::optional<double> true_penetration;
-  /// Pairs of overlapping bounding boxes that the oracle cannot judge, those with a mesh; 0 where it was not asked.
+  /// Pairs of overlapping bounding boxes that the oracle cannot judge, those with a mesh; 0 if it was not run.
   int unjudged_pairs = 0;
 };
 

@@ -17,11 +17,11 @@
 namespace dgd_demos {
 namespace {
 
-constexpr int kCannotBeStarted = 127;  // As shells have it.
+constexpr int kCannotBeStarted = 127;  // The status that shells have for it.
 
-// Does not return.
+// Replaces this process by the run's.
 [[noreturn]] void Become(const std::string& program, const std::string& run, int pipe) {
-  // Ends with the sweep; and leaves Ctrl-C on a terminal to it.
+  // The run ends with the sweep, and Ctrl-C on a terminal reaches the sweep alone.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   setpgid(0, 0);
   dup2(pipe, STDOUT_FILENO);
@@ -41,7 +41,7 @@ std::string LastLine(const std::string& text) {
 
 RunRecord Failure(int run, const std::string& message) { return {run, RunRecord::Status::kFailed, message, "", {}}; }
 
-// The record that a finished child has printed, or a record of why there is none.
+// The record that a finished child has printed, or one that says why there is none.
 RunRecord RecordOf(int run, int status, const std::string& output) {
   const std::string last = LastLine(output);
   const std::string remark = last.empty() ? "" : "; its last line: " + last;
@@ -86,7 +86,7 @@ void LocalWorkers::Start(const RunSpec& run) {
 std::optional<RunRecord> LocalWorkers::Wait(std::chrono::milliseconds patience) {
   std::vector<pollfd> polled;
   for (const Child& child : children_) polled.push_back({child.pipe, POLLIN, 0});
-  // A signal, or nothing within the time.
+  // Not above 0 after a signal, and where nothing happens within the time.
   if (poll(polled.data(), polled.size(), static_cast<int>(patience.count())) <= 0) return std::nullopt;
   for (std::size_t i = 0; i < polled.size(); ++i) {
     if (polled[i].revents == 0) continue;

@@ -1,4 +1,4 @@
-// Processes on this machine, one for each run: a run that crashes takes nothing else with it.
+// Processes on this machine, one for each run: a run that crashes takes no other with it.
 #pragma once
 
 #include <sys/types.h>
@@ -14,11 +14,11 @@ class LocalWorkers : public Workers {
  public:
   /// @param jobs  runs at a time, at least 1.
   explicit LocalWorkers(int jobs);
-  /// Ends what still runs.
+  /// Ends the runs that have not ended.
   ~LocalWorkers() override;
 
   int idle() const override { return jobs_ - static_cast<int>(children_.size()); }
-  /// @throws std::runtime_error if no process can be made.
+  /// @throws std::runtime_error if no process can be started.
   void Start(const RunSpec& run) override;
   std::optional<RunRecord> Wait(std::chrono::milliseconds patience) override;
 
@@ -26,8 +26,8 @@ class LocalWorkers : public Workers {
   struct Child {
     int run;  // RunSpec::number
     pid_t process;
-    int pipe;            // Of its output and error stream.
-    std::string output;  // So far.
+    int pipe;            // Reads its output and error stream.
+    std::string output;  // What has been read so far.
   };
 
   int jobs_;

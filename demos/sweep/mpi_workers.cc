@@ -14,13 +14,16 @@
 namespace dgd_demos {
 namespace {
 
-enum Tag { kRun = 1, kRecord = 2 };  // A run as JSON, or nothing: there are no more. A record as its line.
+enum Tag {
+  kRun = 1,     // A run as JSON; an empty text after the last one.
+  kRecord = 2,  // A record as its line.
+};
 
 void Send(const std::string& text, int rank, Tag tag) {
   MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, rank, tag, MPI_COMM_WORLD);
 }
 
-// What a probe has found.
+// Receives the message that a probe has found.
 std::string Receive(const MPI_Status& status) {
   int size = 0;
   MPI_Get_count(&status, MPI_CHAR, &size);
@@ -29,7 +32,7 @@ std::string Receive(const MPI_Status& status) {
   return text;
 }
 
-// MPI's own wait spins, at the cost of a processor that the runs can use.
+// Waits in naps: MPI's own wait spins, at the cost of a processor that the runs can use.
 bool WaitFor(Tag tag, std::chrono::milliseconds patience, MPI_Status& status) {
   constexpr std::chrono::milliseconds kNap(2);
   const auto deadline = std::chrono::steady_clock::now() + patience;
@@ -42,7 +45,7 @@ bool WaitFor(Tag tag, std::chrono::milliseconds patience, MPI_Status& status) {
   return false;
 }
 
-// A rank that cannot carry out a run, on a machine without the program say, still answers for it.
+// A rank that cannot carry out a run, as on a machine without the program, returns a record of that.
 RunRecord CarryOut(const RunSpec& run) try {
   LocalWorkers worker(1);
   worker.Start(run);
@@ -77,13 +80,13 @@ class MpiWorkers : public Workers {
 
  private:
   int size_;
-  std::vector<int> idle_;  // Ranks.
+  std::vector<int> idle_;  // Ranks without a run.
 };
 
 }  // namespace
 
 bool IsStartedByMpi() {
-  // As Open MPI, and MPICH and Slurm, tell the processes that they start.
+  // Open MPI sets the first for the processes that it starts, MPICH and Slurm the second.
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
     const char* size = std::getenv(name);
     if (size != nullptr && std::atoi(size) > 1) return true;

@@ -1,6 +1,6 @@
-// The ranks of an MPI program, on as many machines as it was started on: rank 0 hands out the runs, each other rank
-// carries out one after the other, in a process of its own, and sends back the record. Only rank 0 needs the study's
-// folder; all need its worlds.
+// The ranks of an MPI program, on as many machines as it was started on: rank 0 hands out the runs; each other rank
+// carries out one after the other, each in a process of its own, and sends back the record. Only rank 0 needs the
+// study's folder; all ranks need its worlds.
 #pragma once
 
 #include <memory>
@@ -9,10 +9,10 @@
 
 namespace dgd_demos {
 
-/// Whether this process was started by mpirun or the like, with more than one rank, and can take part.
+/// Whether mpirun or the like has started this process with more than one rank.
 bool IsStartedByMpi();
 
-/// MPI, from here to the end of its life. To be made once in a process.
+/// MPI from construction to destruction; constructed once in a process.
 class MpiSession {
  public:
   MpiSession();
@@ -27,10 +27,10 @@ class MpiSession {
   int rank_ = 0, size_ = 1;
 };
 
-/// Of rank 0: all other ranks. Its end is theirs, too.
+/// Makes the workers of rank 0, which are all other ranks. Their ServeRuns() returns when the workers are destroyed.
 std::unique_ptr<Workers> MakeMpiWorkers(const MpiSession& session);
 
-/// Of all other ranks: carries out runs until rank 0 has no more.
+/// Carries out runs until rank 0 has no more. Every other rank calls it.
 void ServeRuns();
 
 }  // namespace dgd_demos

@@ -6,7 +6,7 @@
 
 namespace dgd_demos {
 
-/// Never throws: what goes wrong is in the record.
+/// Does not throw: a failure is in the record.
 RunRecord RunOne(const RunSpec& spec);
 
 }  // namespace dgd_demos

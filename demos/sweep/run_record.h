@@ -1,5 +1,5 @@
-// What came of a run of a study, as one line of JSON: what a process that carried it out prints, and what a study's
-// folder keeps of it.
+// The outcome of a run of a study. As one line of JSON it is what the run's process prints, and a file of the study's
+// folder.
 #pragma once
 
 #include <string>
@@ -13,21 +13,21 @@ struct RunRecord {
   enum class Status {
     kDone,
     kLost,    ///< A body left the world or was not finite; the run ended there, and has figures.
-    kFailed,  ///< Without figures.
+    kFailed,  ///< The run crashed or could not be carried out, and has no figures.
   };
 
   int number;  ///< RunSpec::number
   Status status;
-  std::string message;     ///< Of what is not done: a sentence.
-  std::string build_type;  ///< Of the program that carried it out.
+  std::string message;     ///< Reason why the run is lost or failed; empty if it is done.
+  std::string build_type;  ///< Build type of the program that carried it out.
   FigureValues figures;    ///< Empty if it failed.
 };
 
 const char* NameOf(RunRecord::Status status);  ///< "done", "lost", "failed"
 
-/// Without a newline. Numbers read back to the bit.
+/// Formats a record without a newline. Numbers read back to the bit.
 std::string ToLine(const RunRecord& record);
-/// @throws std::runtime_error if the text is no such line.
+/// @throws std::runtime_error if the text is not a line of ToLine().
 RunRecord ParseRunRecord(std::string_view line);
 
 }  // namespace dgd_demos

@@ -51,7 +51,7 @@ std::filesystem::path StudyFolder::FileOf(int number) const {
 std::map<int, RunRecord> StudyFolder::ReadRecords() const {
   std::map<int, RunRecord> records;
   for (const auto& entry : std::filesystem::directory_iterator(folder_ / "runs")) {
-    if (entry.path().extension() != ".json") continue;  // Of a process that died while it wrote.
+    if (entry.path().extension() != ".json") continue;  // Left by a process that died while it wrote.
     try {
       const RunRecord record = ParseRunRecord(ReadWholeFile(entry.path()));
       if (entry.path() != FileOf(record.number)) throw std::runtime_error("is of another run");

@@ -1,5 +1,5 @@
-// The folder of a study's results: a file for each run that is done, so that what dies loses nothing but what was
-// running.
+// The folder of a study's results: a file for each run that is done, so that a process that dies loses only the runs
+// that it had begun.
 #pragma once
 
 #include <filesystem>
@@ -13,20 +13,21 @@ namespace dgd_demos {
 
 class StudyFolder {
  public:
-  /// Makes the folder if it is missing. One that is there must be of the same study, with the same worlds.
-  /// @throws std::runtime_error if it is of another one, or cannot be written.
+  /// Makes the folder if it is missing. An existing one must have the same identity: the study's JSON, the content of
+  /// its worlds, and the precisions of its runs, which are the program's own if the study lists none.
+  /// @throws std::runtime_error if the folder has another identity, or cannot be written.
   StudyFolder(const std::filesystem::path& folder, const Study& study);
 
   const std::filesystem::path& path() const { return folder_; }
 
-  /// Of all runs that are done.
-  /// @throws std::runtime_error about a record that is damaged.
+  /// Reads the records of all runs that are done, by the runs' numbers.
+  /// @throws std::runtime_error that names a damaged record.
   std::map<int, RunRecord> ReadRecords() const;
 
-  /// On disk as a whole, or not at all.
+  /// Writes a record to disk as a whole, or not at all.
   /// @throws std::runtime_error if it cannot be written.
   void Write(const RunRecord& record) const;
-  /// Takes over what another folder of the same study has.
+  /// Copies the records of another folder of the same study.
   void TakeFrom(const StudyFolder& other) const;
 
  private:

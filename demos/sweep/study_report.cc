@@ -12,7 +12,7 @@
 namespace dgd_demos {
 namespace {
 
-// As RFC 4180 has it.
+// A cell of a CSV, quoted by RFC 4180 where it has to be.
 std::string Quoted(const std::string& cell) {
   if (cell.find_first_of(",\"\n\r") == std::string::npos) return cell;
   std::string quoted = "\"";
@@ -20,7 +20,7 @@ std::string Quoted(const std::string& cell) {
   return quoted + '"';
 }
 
-// Empty where the run has the world's own.
+// The run's value at the path; empty where it is the world's own.
 std::string ValueAt(const SceneChanges& changes, const std::string& path) {
   const auto change = std::ranges::find(changes, path, &SceneChanges::value_type::first);
   return change == changes.end() ? "" : change->second.dump();

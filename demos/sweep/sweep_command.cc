@@ -24,7 +24,7 @@
 namespace dgd_demos {
 namespace {
 
-// Of the study, those that this process is to carry out.
+// The runs of the study that this process carries out.
 std::vector<RunSpec> PendingRuns(const Study& study, const std::map<int, RunRecord>& records,
                                  const SweepOptions& options) {
   std::vector<RunSpec> pending;
@@ -38,7 +38,7 @@ std::vector<RunSpec> PendingRuns(const Study& study, const std::map<int, RunReco
   return pending;
 }
 
-// Carries out the runs, and keeps each record as soon as it is there.
+// Carries out the runs, and writes each record as soon as its run ends.
 void CarryOut(const std::vector<RunSpec>& runs, Workers& workers, const StudyFolder& folder) {
   // Short: when a sweep is stopped, mpirun leaves it one second to write its results.
   constexpr std::chrono::milliseconds kPatience(100);
@@ -61,7 +61,7 @@ ExitStatus Report(const Study& study, const StudyFolder& folder, const SweepOpti
   const std::string tables = StudyTables(study, records);
   WriteWholeFile(folder.path() / "tables.txt", tables);
 
-  constexpr std::ptrdiff_t kMostLines = 400;  // Of what people read on a terminal.
+  constexpr std::ptrdiff_t kMostLines = 400;  // The most that people read on a terminal.
   if (std::ranges::count(tables, '\n') <= kMostLines) {
     std::printf("%s", tables.c_str());
   } else {
@@ -78,7 +78,7 @@ ExitStatus Report(const Study& study, const StudyFolder& folder, const SweepOpti
   return all_well ? kSuccess : kLostBody;
 }
 
-// Options of the plugin are known only where there is Bullet, so not to LoadStudy().
+// Options of the plugin cannot be checked without Bullet, and LoadStudy() has none.
 void CheckNarrowphases(const Study& study) {
   for (std::size_t i = 0; i < study.narrowphases.size(); ++i) {
     try {

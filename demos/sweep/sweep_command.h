@@ -1,4 +1,4 @@
-// `headless_sim sweep`: carries out a study, and what others have left of it.
+// `headless_sim sweep`: carries out the runs of a study that are not done yet.
 #pragma once
 
 #include <filesystem>
@@ -14,9 +14,9 @@ struct SweepOptions {
   std::filesystem::path study;
   std::filesystem::path out;  ///< Folder of the results.
   int jobs = 1;               ///< Runs at a time, on this machine.
-  int shard = 0, shards = 1;  ///< This process does every run whose number leaves the remainder `shard`.
+  int shard = 0, shards = 1;  ///< Runs of this process: those with number % shards == shard.
   bool retry_failed = false;
-  std::vector<std::string> merge;  ///< Folders of shards: only their runs are gathered.
+  std::vector<std::string> merge;  ///< Folders of shards, whose records are gathered; nothing is run.
 };
 
 std::variant<SweepOptions, ExitStatus> ParseSweepOptions(int argc, const char* const* argv);

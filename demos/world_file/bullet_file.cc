@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kHeaderSize = 12;
 constexpr std::uintmax_t kGreatestFile = 256'000'000;  // bytes
 constexpr std::int32_t kMostElements = 100'000'000;
-// From 2.82 on, constraints in double precision have structures of their own; before, the importer guesses.
+// Constraints in double precision have structures of their own since 2.82; in older files, the importer guesses.
 constexpr int kOldestVersion = 282;
 
 struct Header {
@@ -68,7 +68,7 @@ Header Parser::ReadHeader() {
   return {text[6] == 'd' ? Precision::kDouble : Precision::kFloat, version};
 }
 
-// The DNA is the last chunk, as Bullet writes it: what follows would be seen by nobody.
+// The DNA is the last chunk, as Bullet writes it: Bullet reads nothing that follows.
 std::vector<FileChunk> Parser::ReadChunks() {
   std::vector<FileChunk> chunks;
   while (true) {

@@ -25,19 +25,19 @@ struct FileChunk {
   std::uint64_t pointer;  ///< Address of the data when the file was written, by which other chunks refer to it.
   int structure;          ///< Number of its structure in the DNA; -1: plain letters.
   std::size_t count;      ///< Number of elements.
-  Bytes data;             ///< count * the structure's size bytes, but for codes that nobody reads.
+  Bytes data;             ///< count * the structure's size bytes, except in chunks that Bullet skips.
 };
 
 struct BulletFile {
-  std::string name;                                     ///< For messages.
-  std::shared_ptr<const std::vector<std::byte>> bytes;  ///< What the chunks' data are views of.
+  std::string name;                                     ///< Name of the file in messages.
+  std::shared_ptr<const std::vector<std::byte>> bytes;  ///< Content of the file, of which the chunks' data are views.
   Precision precision;
   int version;  ///< 324 is Bullet 3.24.
   Dna dna;
-  std::vector<FileChunk> chunks;  ///< All but the DNA.
+  std::vector<FileChunk> chunks;  ///< All chunks but the DNA.
 };
 
-/// @param name  for messages.
+/// @param name  Name of the file in messages.
 /// Files of another byte order or with 32-bit pointers are refused as well: Bullet's importer would convert them by
 /// code that trusts them.
 /// @throws SceneError in one sentence: name, place and value.

@@ -21,7 +21,7 @@ T NumberAt(Bytes bytes, std::size_t offset) {
   return number;
 }
 
-/// Front to back; every read says whether there was enough left.
+/// Reads front to back. A read that needs more bytes than are left returns nothing and reads none.
 class ByteReader {
  public:
   explicit ByteReader(Bytes bytes) : bytes_(bytes) {}
@@ -42,7 +42,7 @@ class ByteReader {
     return bytes_.subspan(position_ - count, count);
   }
 
-  /// Up to a zero byte, which is read as well.
+  /// The text up to a zero byte, which is read as well.
   std::optional<std::string> Text() {
     const Bytes rest = bytes_.subspan(position_);
     const void* end = rest.empty() ? nullptr : std::memchr(rest.data(), 0, rest.size());

@@ -14,7 +14,7 @@
 namespace dgd_demos {
 namespace {
 
-constexpr int kMostIterations = 10'000;  // Of the solver; Bullet's default is 10.
+constexpr int kMostIterations = 10'000;  // Iterations of the solver; Bullet's default is 10.
 constexpr int kMostLinks = 1000;
 constexpr double kLongestStep = 1;  // s
 
@@ -69,7 +69,7 @@ class Checker {
   void CheckWorldInfo(Block& block);
   void CheckBody(Block& block);
   void CheckObject(Block& block);
-  // What rigid bodies, static objects and links have. False if the shape is not restored.
+  // Checks what rigid bodies, static objects and links have in common. False if the shape is not restored.
   bool CheckCommon(const Record& object);
   void CheckConstraint(Block& block);
   bool LinkConstrainedBodies(const Record& base, const ConstraintKind& kind);
@@ -86,7 +86,7 @@ class Checker {
   CheckedWorld world_ = {};
   std::set<const Block*> restored_;    // Bodies and objects that constraints may have.
   std::set<const Block*> missing_;     // ... and those that cannot be restored.
-  std::map<const Block*, int> links_;  // Of the multibodies that are restored: how many.
+  std::map<const Block*, int> links_;  // Number of links of each restored multibody.
   std::set<std::pair<const Block*, int>> has_collider_;
   int damped_bodies_ = 0;
   int missing_multibodies_ = 0, missing_colliders_ = 0;

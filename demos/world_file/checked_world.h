@@ -1,4 +1,4 @@
-// The door for .bullet files: what Bullet's importer gets to see of one.
+// The door for .bullet files: the structures of a file that Bullet's importer reads.
 //
 // The importer trusts a file wholly: offsets, counts, pointers, and the DNA, by which it converts structures that
 // differ from its own. So its reader is not used at all. Every structure that it would take is checked here and copied
@@ -23,7 +23,7 @@ namespace dgd_demos {
 /// A world file that Bullet's importer can take without harm. The addresses are of structures as Bullet declares them,
 /// in memory that this owns.
 struct CheckedWorld {
-  std::string name;  ///< Of the file, for messages.
+  std::string name;  ///< Name of the file in messages.
   Precision precision;
   int version;  ///< 324 is Bullet 3.24.
 
@@ -31,17 +31,17 @@ struct CheckedWorld {
   std::vector<void*> worlds;       ///< btDynamicsWorld{Float,Double}Data: one, or none.
   std::vector<void*> bodies;       ///< btRigidBody{Float,Double}Data
   std::vector<void*> objects;      ///< btCollisionObject{Float,Double}Data
-  std::vector<void*> constraints;  ///< All kinds; btTypedConstraint{Float,Double}Data is what they begin with.
+  std::vector<void*> constraints;  ///< Constraints of all kinds; each begins with btTypedConstraint{Float,Double}Data.
   std::vector<void*> multibodies;  ///< btMultiBody{Float,Double}Data
   std::vector<void*> colliders;    ///< btMultiBodyLinkCollider{Float,Double}Data
 
-  std::vector<std::string> remarks;  ///< What cannot be restored, a sentence each kind.
+  std::vector<std::string> remarks;  ///< Sentences about parts that cannot be restored, one for each kind.
 
-  std::vector<std::unique_ptr<std::byte[]>> memory;  ///< What the addresses point into.
+  std::vector<std::unique_ptr<std::byte[]>> memory;  ///< Memory that the addresses point into.
 };
 
-/// @param precision      of the Bullet that is to read it.
-/// @param reference_dna  of that Bullet.
+/// @param precision      Precision of the Bullet that is to read the file.
+/// @param reference_dna  DNA of that Bullet.
 /// @throws SceneError in one sentence: file, chunk with its place and structure, field and value.
 CheckedWorld CheckWorld(const BulletFile& file, Precision precision, const Dna& reference_dna);
 

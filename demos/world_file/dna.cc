@@ -32,7 +32,7 @@ bool IsNumber(std::string_view type) {
 // "*m_name"; "(*m_function)()" is one of Blender's.
 bool IsPointer(std::string_view name) { return name.starts_with('*') || name.starts_with('('); }
 
-/// Of "[3]" or "[3][4]"; 0 if it is neither.
+/// Number of elements of "[3]" or "[3][4]"; 0 if the text is neither.
 std::size_t ElementCount(const std::string& brackets) {
   std::istringstream text(brackets);
   std::size_t count = 1, extent = 0;
@@ -146,7 +146,7 @@ Dna::Structure Dna::ReadStructure(ByteReader& reader) {
   if (IsNumber(structure.name)) Fail(structure.name + " is described as a structure");
   if (*field_count < 0) Fail(structure.name + " has " + std::to_string(*field_count) + " fields");
   std::set<std::string> names;
-  std::size_t sum = 0;  // As the DNA takes them.
+  std::size_t sum = 0;  // Length of the fields without padding, which is the structure's by the DNA.
   for (int i = 0; i < *field_count; ++i) {
     Field field = ReadField(reader, structure, sum);
     if (!names.insert(field.name).second) Fail(structure.name + " has two fields " + field.name);

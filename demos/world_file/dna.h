@@ -17,12 +17,12 @@ namespace dgd_demos {
 class Dna {
  public:
   struct Field {
-    std::string type;  ///< "float", or a structure's name.
-    std::string name;  ///< Without star and brackets.
+    std::string type;  ///< Name of a number's type ("float") or of a structure.
+    std::string name;  ///< Name without star and brackets.
     bool is_pointer;
-    std::size_t count;   ///< Elements of an array; else 1.
-    std::size_t offset;  ///< In its structure, bytes.
-    std::size_t size;    ///< Of all elements, bytes.
+    std::size_t count;   ///< Number of elements of an array; else 1.
+    std::size_t offset;  ///< Offset in its structure, bytes.
+    std::size_t size;    ///< Size of all elements, bytes.
 
     bool operator==(const Field&) const = default;
   };
@@ -34,7 +34,7 @@ class Dna {
 
     bool operator==(const Structure&) const = default;
   };
-  /// A field, in whatever depth, seen from the outermost structure.
+  /// A field at any depth, as seen from the outermost structure.
   struct Location {
     std::size_t offset;
     const Field* field;
@@ -75,10 +75,10 @@ class Dna {
   [[noreturn]] void Fail(const std::string& what) const;
 
   std::string place_;
-  std::vector<std::string> names_, types_;  // As written.
-  std::vector<std::size_t> lengths_;        // Of the types, bytes.
+  std::vector<std::string> names_, types_;  // The texts as they are in the file.
+  std::vector<std::size_t> lengths_;        // Lengths of the types, bytes.
   std::vector<Structure> structures_;
-  std::map<std::string, std::size_t, std::less<>> numbers_;  // Of the structures, by name.
+  std::map<std::string, std::size_t, std::less<>> numbers_;  // Numbers of the structures, by name.
 };
 
 }  // namespace dgd_demos

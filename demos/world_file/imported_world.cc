@@ -63,7 +63,7 @@ class CheckedFile : public bParse::btBulletFile {
   }
 };
 
-// Knows which shape it made of what.
+// Bullet's importer, with access to its map from structures to shapes.
 class MultibodyImporter : public btMultiBodyWorldImporter {
  public:
   using btMultiBodyWorldImporter::btMultiBodyWorldImporter;
@@ -82,7 +82,7 @@ double RadiusOf(const btCollisionShape& shape) {
   return from_origin < kGreatestRadius ? from_origin : std::numeric_limits<double>::infinity();
 }
 
-/// Of base and links, in the frame of each, by number; the base is the first.
+/// Vectors of base and links, each in its own frame; the base is the first.
 struct LinkVelocities {
   explicit LinkVelocities(const btMultiBody& multibody)
       : angular(static_cast<std::size_t>(multibody.getNumLinks()) + 1), linear(angular.size()) {

@@ -22,7 +22,7 @@ namespace dgd_demos {
 
 /// Reads and checks a file for the Bullet that is linked here. @throws SceneError as ReadBulletFile() and CheckWorld().
 CheckedWorld LoadWorldFile(const std::filesystem::path& file);
-/// The same of bytes. @param name  for messages.
+/// The same for the bytes of a file. @param name  Name of the file in messages.
 CheckedWorld LoadWorldBytes(const std::string& name, std::vector<std::byte> bytes);
 
 /// What Bullet's importer makes of the file, and what it leaves out though the file has it: links' colliders,
@@ -35,7 +35,7 @@ class ImportedWorld : public SimulatedWorld {
                 std::optional<double> time_step = std::nullopt);
   ~ImportedWorld() override;
 
-  /// What is not restored and what is not judged, a sentence each kind.
+  /// Sentences about parts that are not restored, and about shapes that the oracle does not judge.
   const std::vector<std::string>& Remarks() const { return remarks_; }
   int ConstraintCount() const { return world_->getNumConstraints(); }
 
@@ -47,8 +47,8 @@ class ImportedWorld : public SimulatedWorld {
   const std::vector<SimulatedBody>& Bodies() const override { return bodies_; }
   std::vector<OracleBody> OracleBodies() const override { return oracle_bodies_; }
   std::vector<Pose> Poses() const override;
-  /// Without pairs that are not to collide, though their boxes overlap: two bodies of a constraint, neighbours in a
-  /// multibody, and what has no contact response.
+  /// Pairs that may collide. Pairs whose boxes overlap are left out if they are two bodies of a constraint, neighbours
+  /// in a multibody, or objects without contact response.
   std::vector<BodyPair> OverlappingPairs() const override;
   std::vector<Motion> Motions() const override;
   Energy TotalEnergy() const override;
@@ -64,19 +64,19 @@ class ImportedWorld : public SimulatedWorld {
   void FindRoom();
   void AddRemarks();
 
-  // In order of construction: each needs those above it until it is gone.
+  // Members in order of construction: each refers to those above it until it is destroyed.
   std::unique_ptr<btDefaultCollisionConfiguration> configuration_;
   TimingDispatcher dispatcher_;
   btDbvtBroadphase broadphase_;
   std::unique_ptr<btSequentialImpulseConstraintSolver> solver_;
   std::unique_ptr<btDiscreteDynamicsWorld> world_;
   std::unique_ptr<btBulletWorldImporter> importer_;
-  // The importer leaves these to whoever imports.
+  // The importer does not own these.
   std::vector<std::unique_ptr<btMultiBody>> multibodies_;
   std::vector<std::unique_ptr<btMultiBodyLinkCollider>> colliders_;
 
   std::vector<btCollisionObject*> objects_;
-  std::vector<SimulatedBody> bodies_;  // Of the objects, in their order.
+  std::vector<SimulatedBody> bodies_;  // Bodies of the objects, in their order.
   std::vector<OracleBody> oracle_bodies_;
   std::vector<std::string> remarks_;
   Eigen::AlignedBox3d room_;

@@ -14,7 +14,7 @@ namespace {
 
 // Squares of such numbers, and sums of them, are finite in single precision.
 constexpr double kGreatest = 1e15;
-// Of a rotation's entries and of a quaternion's length: what bodies drift by in float is a hundredth of this.
+// Tolerance of a rotation's entries and of a quaternion's length; bodies drift by a hundredth of it in float.
 constexpr double kRotationTolerance = 1e-2;
 
 bool IsWithin(double number, Limit limit) {
@@ -59,7 +59,7 @@ double ReadNumber(Bytes bytes, std::size_t offset, std::string_view type) {
   return double(NumberAt<unsigned char>(bytes, offset));
 }
 
-/// In as many elements as are whole.
+/// Clears the pointers in all elements that are complete.
 void ClearPointers(const Dna& dna, const Dna::Structure& structure, std::size_t length, std::byte* memory) {
   dna.ForEachPointer(structure, [&](std::size_t offset) {
     for (std::size_t begin = 0; begin + structure.size <= length; begin += structure.size) {

@@ -17,17 +17,17 @@ namespace dgd_demos {
 /// A chunk and its copy, in which pointers are addresses.
 struct Block {
   const FileChunk* chunk;
-  std::size_t index;                    ///< Of the chunk in the file.
-  const Dna::Structure* structure;      ///< Null: plain letters.
-  std::unique_ptr<std::byte[]> memory;  ///< Aligned as by new; of the chunk's length.
+  std::size_t index;                    ///< Index of the chunk in the file.
+  const Dna::Structure* structure;      ///< Structure of its elements; null for plain letters.
+  std::unique_ptr<std::byte[]> memory;  ///< Copy of the chunk, aligned as by new.
 };
 
-/// What a number may be.
+/// Range of a number.
 enum class Limit {
-  kNumber,       ///< Infinity as well: Bullet's limits and thresholds are so where there is none.
-  kFinite,       ///< ... nor so great that its square is not.
-  kNotNegative,  ///< ... and finite.
-  kPositive,     ///< ... and finite.
+  kNumber,       ///< Any number but NaN: Bullet's limits and thresholds are infinite where there are none.
+  kFinite,       ///< Finite, and so is its square.
+  kNotNegative,  ///< At least 0, and finite as above.
+  kPositive,     ///< Above 0, and finite as above.
 };
 
 class Blocks;
@@ -43,8 +43,8 @@ class Record {
 
   Record Inner(std::string_view path) const;  ///< A structure in this one.
   std::int32_t Integer(std::string_view path) const;
-  std::int32_t Integer(std::string_view path, std::int32_t low, std::int32_t high) const;  ///< Ends included.
-  std::vector<double> Numbers(std::string_view path) const;  ///< All there are; the fourth of a vector is left out.
+  std::int32_t Integer(std::string_view path, std::int32_t low, std::int32_t high) const;  ///< In [low, high].
+  std::vector<double> Numbers(std::string_view path) const;  ///< All elements; the fourth of a vector is left out.
   std::vector<double> Numbers(std::string_view path, Limit limit) const;
   /// A quaternion that turns, by its four numbers.
   void CheckQuaternion(std::string_view path) const;
@@ -70,27 +70,27 @@ class Record {
 
   const Blocks* blocks_;
   Block* block_;
-  std::size_t offset_;  // In the block.
+  std::size_t offset_;  // Offset in the block, bytes.
   const Dna::Structure* structure_;
 };
 
-/// All blocks of a file, by what it calls them.
+/// All blocks of a file, which can be found by the pointers that the file has for them.
 class Blocks {
  public:
   /// @param reference  the DNA of the Bullet whose importer will read: structures that differ from its are refused.
-  /// @throws SceneError if two different chunks are called the same.
+  /// @throws SceneError if two different chunks have the same pointer.
   Blocks(const BulletFile& file, const Dna& reference);
 
   const BulletFile& file() const { return *file_; }
   std::deque<Block>& all() { return blocks_; }
   Block* Find(std::uint64_t pointer) const;
 
-  /// The elements of a block, if they are of this structure, as the reference has it. Without pointers, so far.
-  /// @throws SceneError if not, or if the block is not as long as they are.
+  /// Checks that a block's elements are of this structure, and that the reference has the same.
+  /// @throws SceneError if not, or if the block is not as long as its elements.
   void Expect(Block& block, std::string_view structure) const;
-  /// A number that tells which structure the block is of, in the structure that all of its kind begin with.
+  /// A field by which the block's structure can be identified, in the base that all structures of its kind begin with.
   std::int32_t Kind(const Block& block, std::string_view base, std::string_view field) const;
-  /// The only element.
+  /// The only element of a block.
   Record Single(Block& block, std::string_view structure) const;
 
   [[noreturn]] void Fail(const Block& block, const std::string& what) const;

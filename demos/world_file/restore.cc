@@ -12,7 +12,7 @@ btVector3 VectorOf(const Data& data) {
   return vector;
 }
 
-// The rest is by mass (static), or asks for callbacks that nobody has set.
+// The remaining flags follow from the mass (static), or request callbacks that are not set here.
 constexpr int kRestoredFlags = btCollisionObject::CF_KINEMATIC_OBJECT | btCollisionObject::CF_NO_CONTACT_RESPONSE |
                                btCollisionObject::CF_CHARACTER_OBJECT |
                                btCollisionObject::CF_HAS_CONTACT_STIFFNESS_DAMPING |
@@ -73,7 +73,7 @@ void RestoreBody(const BodyData& data, btRigidBody& body) {
   body.setDamping(btScalar(data.m_linearDamping), btScalar(data.m_angularDamping));
   body.setSleepingThresholds(btScalar(data.m_linearSleepingThreshold), btScalar(data.m_angularSleepingThreshold));
   if (body.getInvMass() == 0) return;
-  // The importer estimates it by the shape, whatever the body's was.
+  // The importer estimates the inertia by the shape, regardless of the body's own.
   body.setInvInertiaDiagLocal(VectorOf(data.m_invInertiaLocal));
   body.updateInertiaTensor();
   body.setGravity(VectorOf(data.m_gravity_acceleration));
@@ -101,7 +101,7 @@ void RestoreMultibody(const MultibodyData& data, btMultiBody& multibody) {
     link.m_jointUpperLimit = btScalar(from.m_jointUpperLimit);
     link.m_jointMaxForce = btScalar(from.m_jointMaxForce);
     link.m_jointMaxVelocity = btScalar(from.m_jointMaxVelocity);
-    // By arrays as long as Bullet reads: a fixed joint has no freedom, a spherical one four numbers for three.
+    // Arrays have the length that Bullet reads: a fixed joint has no freedom, a spherical one four numbers for three.
     std::array<btScalar, 7> position{};
     std::array<btScalar, 6> velocity{};
     for (std::size_t k = 0; k < static_cast<std::size_t>(link.m_posVarCount); ++k) {

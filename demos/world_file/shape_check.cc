@@ -9,7 +9,7 @@ namespace dgd_demos {
 namespace {
 
 constexpr std::size_t kDeepestCompound = 16;
-constexpr int kMostShapes = 100'000;     // With all children, since each compound has its own.
+constexpr int kMostShapes = 100'000;     // Shapes with all children, since each compound has its own.
 constexpr int kMostHullPoints = 10'000;  // The importer takes the bounds of all points for each one: 10^8 steps.
 constexpr int kMostSpheres = 1000;
 constexpr int kMostMeshParts = 1 << 10;  // Bullet's tree of boxes has ten bits for the part
@@ -165,7 +165,7 @@ void ShapeCheck::CheckConvex(const Record& convex, ShapeType type) {
   const std::vector<double> scaling =
       convex.Numbers("m_localScaling", type == ShapeType::kHull ? Limit::kFinite : Limit::kPositive);
   if (std::ranges::find(scaling, 0.0) != scaling.end()) convex.Fail("m_localScaling", "is 0 along an axis");
-  // Hulls and multi-spheres do not use their dimensions, and Bullet writes whatever was in memory for them.
+  // Hulls and multi-spheres do not use their dimensions, for which Bullet writes uninitialized memory.
   if (type != ShapeType::kHull && type != ShapeType::kMultiSphere) CheckDimensions(convex, type, margin);
 }
 
@@ -244,7 +244,7 @@ void ShapeCheck::CheckIndices(const Record& part, int triangles, int vertices) {
     const char* path;
     const char* structure;
     const char* numbers;
-    int elements;     // For each triangle.
+    int elements;     // Number of elements of a triangle.
     bool is_wrapped;  // Indices above 32767 are read as negative.
   };
   constexpr std::array kForms = {Form{"m_indices32", "btIntIndexData", "m_value", 3, false},

@@ -1,4 +1,4 @@
-// Which collision shapes of a .bullet file Bullet's importer can make, and whether it can without harm.
+// Checks the collision shapes of a .bullet file: whether Bullet's importer can make them, and without harm.
 #pragma once
 
 #include <map>
@@ -30,10 +30,10 @@ class ShapeCheck {
   explicit ShapeCheck(Blocks& blocks) : blocks_(&blocks) {}
 
   /// @return whether the importer makes the shape; if not, MissingShapes() says which.
-  /// @throws SceneError if it would read what is not there, or make what is no shape.
+  /// @throws SceneError if it would read outside of the file, or make an invalid shape.
   bool IsRestored(Block& shape);
 
-  /// Of what could not be made: the kinds, each with the number of shapes.
+  /// Kinds of shapes that cannot be made, each with the number of shapes.
   const std::map<std::string, int>& MissingShapes() const { return missing_; }
   /// Triangle info maps (of internal edges), which are left out.
   int info_maps() const { return info_maps_; }
@@ -42,8 +42,8 @@ class ShapeCheck {
   // Shapes are made once for themselves and once for each compound that has them.
   struct Cost {
     bool is_restored;
-    std::size_t depth = 1;  // Of compounds in compounds.
-    double made = 1;        // Shapes, with all children.
+    std::size_t depth = 1;  // Depth of compounds in compounds.
+    double made = 1;        // Number of shapes, with all children.
   };
 
   Cost Check(Block& shape);

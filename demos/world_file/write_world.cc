@@ -11,7 +11,7 @@
 namespace dgd_demos {
 namespace {
 
-// Bullet fills most of its structures, not all: without this, the rest is whatever was in memory before.
+// Bullet does not fill all of its structures; without this, they contain uninitialized memory.
 class ZeroingSerializer : public btDefaultSerializer {
  public:
   unsigned char* internalAlloc(size_t size) override {
