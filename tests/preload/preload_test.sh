@@ -1,9 +1,9 @@
 #!/bin/sh
 # Runs an app of one precision that is built without dgd_bullet by dgd-bullet-run, linked against Bullet and loading it
 # by a plugin, and compares it with the plain app.
-# Usage: preload_test.sh DGD_BULLET_RUN LINKED_APP LOADING_APP PLUGIN STATIC_APP FOREIGN_APP OUTPUT_DIR
+# Usage: preload_test.sh DGD_BULLET_RUN LINKED_APP LOADING_APP PLUGIN STATIC_APP FOREIGN_APP DGD_APP OUTPUT_DIR
 set -eu
-run=$1 linked=$2 loading=$3 plugin=$4 static=$5 foreign=$6 output=$7
+run=$1 linked=$2 loading=$3 plugin=$4 static=$5 foreign=$6 dgd=$7 output=$8
 mkdir -p "$output"
 cd "$output"
 
@@ -120,6 +120,12 @@ expect "cannot open shared object file.*Bullet's own narrowphase is used" err
 "$run" --statistics "$foreign" 2>err || complain "$foreign has changed" err
 expect "libpreload_own_bullet.so is not the Bullet library that dgd_bullet is compiled for; Bullet's own" err
 [ "$(wc -l <err)" -eq 1 ] || complain "more than a line:" err
+
+# A program that uses dgd_bullet itself has contacts that are not the built-in's, and no report says that they are.
+for report in audit statistics; do
+  "$run" --$report "$dgd" 2>err || complain "$dgd has changed" err
+  expect 'no pair went through dgd-bullet-run: none met, or the program uses dgd_bullet itself' err
+done
 
 # A process without Bullet reports that, and is otherwise left alone; its exit status is the app's.
 "$run" --statistics "$loading" >out 2>err || [ $? -eq 2 ] || complain "another exit status" err
