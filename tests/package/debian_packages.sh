@@ -23,8 +23,8 @@ DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends install "$m
 # shellcheck disable=SC2086 # a list of words
 dpkg -L $packages | sort -u >"$work/installed"
 libraries=$(dirname "$(grep '/libdgd_bullet\.so$' "$work/installed")")
-for page in libdgd-bullet-dev/dgd_core libdgd-bullet-dev/bullet_plugin dgd-bullet-tools/demos dgd-bullet-tools/scenes; do
-  grep -qx "/usr/share/doc/$page/README.md" "$work/installed" || fail "$page/README.md is in no package"
+for folder in libdgd-bullet-dev/dgd_core libdgd-bullet-dev/bullet_plugin dgd-bullet-tools/demos; do
+  grep -qx "/usr/share/doc/$folder/README.md" "$work/installed" || fail "$folder/README.md is in no package"
 done
 
 # Eigen, which is installed here, need not be for an app of Bullet's.
