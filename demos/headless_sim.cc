@@ -11,6 +11,7 @@
 #include "command_line.h"
 #include "program_main.h"
 #include "run/export_command.h"
+#include "run/render_command.h"
 #include "run/run_command.h"
 #include "scene/json_reader.h"
 #include "scene_options.h"
@@ -28,6 +29,7 @@ Usage: headless_sim COMMAND [OPTIONS]
 
   run WORLD     one world, measured and drawn; trajectories and contacts for NumPy
   sweep STUDY   many worlds: all combinations of seeds, narrowphases and values, resumable, on many processors
+  render WORLD TRAJECTORY     pictures of a trajectory that run has written, or the frames of a film
   export SCENE FILE.bullet    a scene as one of Bullet's world files, for other programs
   list          the scenes that come with this program, with a line each
 
@@ -97,6 +99,7 @@ int RunInPrecision(int argc, char** argv) {
 int Main(int argc, char** argv) {
   const std::string_view command = argc > 1 ? argv[1] : "";
   if (command == "run") return RunInPrecision(argc - 1, argv + 1);
+  if (command == "render") return RunProgram(ParseRenderOptions(argc - 1, argv + 1), Render);
   if (command == "export") return RunProgram(ParseExportOptions(argc - 1, argv + 1), Export);
   if (command == "sweep") return RunProgram(ParseSweepOptions(argc - 1, argv + 1), Sweep);
   if (command == "list") return RunProgram(ParseListOptions(argc - 1, argv + 1), List);

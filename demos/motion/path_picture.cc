@@ -145,7 +145,7 @@ Image DrawMoment(const ExecutionPicture& picture, std::size_t step) {
   const JointPath until(picture.states.begin(), picture.states.begin() + static_cast<std::ptrdiff_t>(step) + 1);
   AddTrace(model, until, kTraceRadius, kTraceColour, drawing);
   for (Ball& ball : frame) ball.centre = drawing.turn * ball.centre;
-  SceneRenderer renderer(drawing.bodies, SpeedScale(1), kPanelWidth, kPanelHeight);
+  SceneRenderer renderer(DrawnBodiesOf(drawing.bodies), SpeedScale(1), kPanelWidth, kPanelHeight);
   const std::vector<LegendEntry> legend = {{kTraceColour, "way of the flange"}, {kBeforeColour, "planned"}};
   char title[32];
   std::snprintf(title, sizeof title, "%.2f s", picture.times[step]);
@@ -170,7 +170,7 @@ Image Draw(const PathPicture& picture) {
   AddTrace(model, picture.path, kTraceRadius, kTraceColour, drawing);
 
   for (Ball& ball : frame) ball.centre = drawing.turn * ball.centre;
-  SceneRenderer renderer(drawing.bodies, SpeedScale(1), kWidth, kHeight);
+  SceneRenderer renderer(DrawnBodiesOf(drawing.bodies), SpeedScale(1), kWidth, kHeight);
   const std::vector<LegendEntry> legend = {{kStartColour, "start"},
                                            {kGoalColour, "goal"},
                                            {kBetweenColour, "between"},

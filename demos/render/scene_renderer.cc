@@ -10,13 +10,13 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "render/colour_space.h"
 #include "render/light_samples.h"
 #include "render/off_screen.h"
 #include "render/shaders.h"
 #include "render/shortest_turn.h"
-#include "render/surface_mesh.h"
 
 namespace dgd_demos {
 namespace {
@@ -25,10 +25,11 @@ using Eigen::Matrix4d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int kPasses = 32;                      // Half are the sun's. With 24, soft shadows show their layers.
-constexpr int kShadowMapSize = 768;              // Pixels. Their steps blur, as each pass turns them another way.
-const Vector3d kBackground(0.93, 0.94, 0.955);   // sRGB
-const Vector3d kGroundColour(0.80, 0.80, 0.79);  // sRGB
+constexpr int kPasses = 32;                       // Half are the sun's. With 24, soft shadows show their layers.
+constexpr int kShadowMapSize = 768;               // Pixels. Their steps blur, as each pass turns them another way.
+const Vector3d kBackground(0.93, 0.94, 0.955);    // sRGB
+const Vector3d kGroundColour(0.80, 0.80, 0.79);   // sRGB
+const Vector3d kSceneryColour(0.72, 0.71, 0.68);  // sRGB
 constexpr double kGloss = 0.25;
 constexpr double kAmbient = 0.12;  // Light that has been reflected more than once.
 // The ground fades into the background at these distances from the middle, in distances of the camera.
@@ -47,15 +48,6 @@ Vector3d BodyAlbedo(const SpeedScale& scale, double speed, std::size_t index) {
   constexpr double kDarkest = 0.86;
   const double shade = kDarkest + (1 - kDarkest) * static_cast<double>(index * 3 % kShades) / (kShades - 1);
   return shade * LinearFromSrgb(SpeedScale::ColourAt(scale.PlaceOf(speed)));
-}
-
-// Encloses all balls; for the light's field of view.
-Ball BallAroundAll(const std::vector<Ball>& balls) {
-  Vector3d middle = Vector3d::Zero();
-  for (const Ball& ball : balls) middle += ball.centre / static_cast<double>(balls.size());
-  double radius = 0;
-  for (const Ball& ball : balls) radius = std::max(radius, (ball.centre - middle).norm() + ball.radius);
-  return {middle, radius};
 }
 
 // An orthogonal view along the light that holds the scene.
@@ -109,12 +101,12 @@ class Accumulator {
 
 class SceneRenderer::Impl {
  public:
-  Impl(const std::vector<Body>& bodies, const SpeedScale& speed_scale, int width, int height)
+  Impl(std::vector<DrawnBody> bodies, const SpeedScale& speed_scale, int width, int height)
       : screen_(width, height),
         body_program_(MakeBodyProgram()),
         ground_program_(MakeGroundProgram()),
         shadow_program_(MakeShadowProgram()),
-        bodies_(bodies),
+        bodies_(std::move(bodies)),
         speed_scale_(speed_scale) {
     MakeShadowMap();
     MakeDisplayLists();
@@ -124,7 +116,7 @@ class SceneRenderer::Impl {
 
   Image Render(const PictureRequest& request) {
     screen_.MakeCurrent();
-    const Ball scene = BallAroundAll(BallsAround(bodies_, request.state));
+    const Ball scene = BallAroundAll(WithSurroundings(BallsAround(bodies_, request.state), bodies_, request.state));
     Accumulator accumulator(screen_.width(), screen_.height());
     for (int pass = 0; pass < kPasses; ++pass) {
       const LightSample light = LightOfPass(pass, kPasses);
@@ -167,13 +159,13 @@ class SceneRenderer::Impl {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
   }
 
-  // One list a body, in its local frame; the ground is a plain square.
+  // One list a body, in its local frame.
   void MakeDisplayLists() {
     first_list_ = glGenLists(static_cast<int>(bodies_.size()));
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       glNewList(first_list_ + static_cast<unsigned>(i), GL_COMPILE);
       glBegin(GL_TRIANGLES);
-      for (const SurfaceVertex& vertex : SurfaceOf(bodies_[i].shape, bodies_[i].margin)) {
+      for (const SurfaceVertex& vertex : std::exchange(bodies_[i].surface, {})) {
         glNormal3fv(vertex.normal.data());
         glVertex3fv(vertex.position.data());
       }
@@ -182,9 +174,17 @@ class SceneRenderer::Impl {
     }
   }
 
+  bool IsFloor(std::size_t index) const { return bodies_[index].role == DrawnBody::Role::kFloor; }
+
   void DrawBody(std::size_t index) const { glCallList(first_list_ + static_cast<unsigned>(index)); }
 
-  // The ground gets shadows but casts none.
+  Vector3d AlbedoOf(std::size_t index, const PictureRequest& request) const {
+    if (!request.colours.empty()) return LinearFromSrgb(request.colours[index]);
+    if (bodies_[index].role == DrawnBody::Role::kScenery) return LinearFromSrgb(kSceneryColour);
+    return BodyAlbedo(speed_scale_, request.state.speeds[index], index);
+  }
+
+  // Floors get shadows but cast none.
   void DrawShadowMap(const Snapshot& state, const Matrix4d& world_to_light) {
     glBindFramebuffer(GL_FRAMEBUFFER, shadow_buffer_);
     glViewport(0, 0, kShadowMapSize, kShadowMapSize);
@@ -194,7 +194,8 @@ class SceneRenderer::Impl {
     glClear(GL_DEPTH_BUFFER_BIT);
     shadow_program_.Use();
     shadow_program_.Set("world_to_light", world_to_light);
-    for (std::size_t i = kGroundIndex + 1; i < bodies_.size(); ++i) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      if (IsFloor(i)) continue;
       shadow_program_.Set("model", ModelMatrix(state.poses[i]));
       DrawBody(i);
     }
@@ -216,14 +217,14 @@ class SceneRenderer::Impl {
     shift(0, 3) = -2 * jitter.x() / screen_.width();
     shift(1, 3) = -2 * jitter.y() / screen_.height();
 
-    // The ground last: most of it is then found to be hidden before it is shaded.
+    // Floors last: most of them is then found to be hidden before it is shaded.
     UseForPass(body_program_, request, light, world_to_light, scene, shift);
     body_program_.Set("eye", request.camera.Position());
     body_program_.Set("gloss", kGloss);
-    for (std::size_t i = kGroundIndex + 1; i < bodies_.size(); ++i) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      if (IsFloor(i)) continue;
       body_program_.Set("model", ModelMatrix(request.state.poses[i]));
-      body_program_.Set("albedo", request.colours.empty() ? BodyAlbedo(speed_scale_, request.state.speeds[i], i)
-                                                          : LinearFromSrgb(request.colours[i]));
+      body_program_.Set("albedo", AlbedoOf(i, request));
       DrawBody(i);
     }
     UseForPass(ground_program_, request, light, world_to_light, scene, shift);
@@ -231,9 +232,12 @@ class SceneRenderer::Impl {
     ground_program_.Set("target", request.camera.target);
     ground_program_.Set("fade_start", kFadeStart * request.camera.distance);
     ground_program_.Set("fade_end", kFadeEnd * request.camera.distance);
-    ground_program_.Set("model", ModelMatrix(request.state.poses[kGroundIndex]));
     ground_program_.Set("albedo", LinearFromSrgb(kGroundColour));
-    DrawBody(kGroundIndex);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      if (!IsFloor(i)) continue;
+      ground_program_.Set("model", ModelMatrix(request.state.poses[i]));
+      DrawBody(i);
+    }
   }
 
   // What bodies and ground have in common.
@@ -252,27 +256,19 @@ class SceneRenderer::Impl {
 
   OffScreen screen_;
   ShaderProgram body_program_, ground_program_, shadow_program_;
-  std::vector<Body> bodies_;
+  std::vector<DrawnBody> bodies_;
   SpeedScale speed_scale_;
   unsigned shadow_buffer_ = 0;
   unsigned first_list_ = 0;
 };
 
-SceneRenderer::SceneRenderer(const std::vector<Body>& bodies, const SpeedScale& speed_scale, int width, int height)
-    : impl_(std::make_unique<Impl>(bodies, speed_scale, width, height)) {}
+SceneRenderer::SceneRenderer(std::vector<DrawnBody> bodies, const SpeedScale& speed_scale, int width, int height)
+    : impl_(std::make_unique<Impl>(std::move(bodies), speed_scale, width, height)) {}
 
 SceneRenderer::~SceneRenderer() = default;
 
 Image SceneRenderer::Render(const PictureRequest& request) { return impl_->Render(request); }
 
 double SceneRenderer::aspect() const { return impl_->aspect(); }
-
-std::vector<Ball> BallsAround(const std::vector<Body>& bodies, const Snapshot& state) {
-  std::vector<Ball> balls;
-  for (std::size_t i = kGroundIndex + 1; i < bodies.size(); ++i) {
-    balls.push_back({state.poses[i].position, BoundingRadius(bodies[i].shape, bodies[i].margin)});
-  }
-  return balls;
-}
 
 }  // namespace dgd_demos

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "render/camera.h"
+#include "render/drawn_body.h"
 #include "render/image.h"
 #include "render/overlay.h"
 #include "render/speed_colour.h"
-#include "scene/bodies.h"
 #include "simulation/snapshot.h"
 
 namespace dgd_demos {
@@ -24,7 +24,7 @@ struct PictureRequest {
   Camera camera;
   std::string title;     ///< Top left, large.
   std::string subtitle;  ///< Below the title.
-  /// Of each body in place of its speed's, sRGB, components from 0 to 1; that of the ground is not used. Empty: by
+  /// Colour of each body in place of its speed's, sRGB, components from 0 to 1; that of a floor is not used. Empty: by
   /// speed.
   std::vector<Eigen::Vector3d> colours = {};
   std::vector<LegendEntry> legend = {};  ///< In place of the scale of speeds; empty for that.
@@ -32,8 +32,9 @@ struct PictureRequest {
 
 class SceneRenderer {
  public:
-  /// @param bodies  the ground first.
-  SceneRenderer(const std::vector<Body>& bodies, const SpeedScale& speed_scale, int width, int height);
+  /// @param bodies         in the order of each state's poses; +z is up.
+  /// @param width, height  of the pictures, pixels.
+  SceneRenderer(std::vector<DrawnBody> bodies, const SpeedScale& speed_scale, int width, int height);
   ~SceneRenderer();
 
   Image Render(const PictureRequest& request);
@@ -43,8 +44,5 @@ class SceneRenderer {
   class Impl;  // Keeps OpenGL out of this header.
   std::unique_ptr<Impl> impl_;
 };
-
-/// Balls around all bodies but the ground, for FrameAll().
-std::vector<Ball> BallsAround(const std::vector<Body>& bodies, const Snapshot& state);
 
 }  // namespace dgd_demos

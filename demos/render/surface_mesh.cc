@@ -139,6 +139,25 @@ SurfaceMesh RoundedRevolutionSurface(const std::vector<Vector2d>& profile, doubl
   return mesh.Take();
 }
 
+SurfaceMesh TwoSidedSurface(const std::vector<Vector3d>& corners) {
+  SurfaceMesh mesh;
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+    const Vector3d &a = corners[i], &b = corners[i + 1], &c = corners[i + 2];
+    const Vector3d normal = (b - a).cross(c - a).normalized();
+    if (!(normal.squaredNorm() > 0)) continue;
+    mesh.insert(mesh.end(), {Offset(a, normal, 0), Offset(b, normal, 0), Offset(c, normal, 0)});
+    mesh.insert(mesh.end(), {Offset(a, -normal, 0), Offset(c, -normal, 0), Offset(b, -normal, 0)});
+  }
+  return mesh;
+}
+
+void Append(const SurfaceMesh& part, const Pose& pose, SurfaceMesh& mesh) {
+  for (const SurfaceVertex& vertex : part) {
+    const Vector3d position = pose * vertex.position.cast<double>();
+    mesh.push_back(Offset(position, pose.rotation * vertex.normal.cast<double>(), 0));
+  }
+}
+
 SurfaceMesh SurfaceOf(const Shape& shape, double margin) {
   const double radius = RoundingRadius(shape, margin);
   return std::visit(

@@ -1,11 +1,12 @@
-// Surfaces of the scene's shapes, as they collide: the core with its ball around every point, faces pushed out and
-// edges and corners rounded. Flat where the shape is flat, smooth where it is round.
+// Surfaces of shapes as they collide: the core with its ball around every point, faces pushed out and edges and corners
+// rounded. Flat where the shape is flat, smooth where it is round.
 #pragma once
 
 #include <Eigen/Core>
 #include <vector>
 
 #include "scene/polyhedron.h"
+#include "scene/pose.h"
 #include "scene/shape.h"
 
 namespace dgd_demos {
@@ -20,6 +21,13 @@ using SurfaceMesh = std::vector<SurfaceVertex>;
 
 /// The surface of a body with this collision margin.
 SurfaceMesh SurfaceOf(const Shape& shape, double margin);
+
+/// The surface of a body that has both sides, such as a triangle mesh: each triangle once for either.
+/// @param corners  three a triangle, in any sense; those of triangles without an area are left out.
+SurfaceMesh TwoSidedSurface(const std::vector<Eigen::Vector3d>& corners);
+
+/// Adds a part's surface. @param pose  of the part in the body's frame.
+void Append(const SurfaceMesh& part, const Pose& pose, SurfaceMesh& mesh);
 
 /// The surface of core + ball. @pre core.IsSolid().
 SurfaceMesh RoundedPolyhedronSurface(const Polyhedron& core, double radius);

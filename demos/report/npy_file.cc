@@ -43,19 +43,24 @@ void NpyFile::Add(std::initializer_list<double> numbers) {
   for (const double number : numbers) Add(number);
 }
 
-// Version 1.0 of the format: a magic number, the length of what follows, and a dictionary of Python's.
-std::string NpyFile::Head() const {
+std::string NpyFile::Description(const std::vector<Column>& columns) {
   std::string types;
-  for (const Column& column : columns_) {
+  for (const Column& column : columns) {
     types += std::string("('") + column.name + "', '" + (column.is_integer ? "<i8" : "<f8") + "'";
     if (column.size > 1) types += ", (" + std::to_string(column.size) + ",)";
     types += "), ";
   }
+  return "[" + types + "]";
+}
+
+// Version 1.0 of the format: a magic number, the length of what follows, and a dictionary of Python's.
+std::string NpyFile::Head() const {
   const std::size_t rows = written_ / row_size_;
   const std::string shape = rows_of_a_record_ == 0
                                 ? std::to_string(rows) + ","
                                 : std::to_string(rows / rows_of_a_record_) + ", " + std::to_string(rows_of_a_record_);
-  const std::string dictionary = "{'descr': [" + types + "], 'fortran_order': False, 'shape': (" + shape + "), }";
+  const std::string dictionary =
+      "{'descr': " + Description(columns_) + ", 'fortran_order': False, 'shape': (" + shape + "), }";
   constexpr std::size_t kPrefix = 10;
   constexpr std::size_t kLength = kHeadSize - kPrefix;
   std::string head("\x93NUMPY\x01\x00", 8);

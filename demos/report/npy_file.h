@@ -33,6 +33,9 @@ class NpyFile {
   NpyFile(const NpyFile&) = delete;
   NpyFile& operator=(const NpyFile&) = delete;
 
+  /// Names and types of a row's numbers, as the head has them: "[('time', '<f8'), ('position', '<f8', (3,)), ]".
+  static std::string Description(const std::vector<Column>& columns);
+
   /// Adds the next numbers of the row, column by column.
   void Add(double number);
   void AddInteger(std::int64_t number);

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "render/camera.h"
 #include "render/image.h"
@@ -16,21 +18,10 @@
 namespace dgd_demos {
 namespace {
 
-constexpr int kWidth = 1280, kHeight = 720;
-constexpr int kHalfWidth = 960;  // Of one of two end states side by side.
+constexpr int kHalfWidth = 960;  // Of one of two end states side by side, pixels.
 
-std::string Format(const char* format, double number) {
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), format, number);
-  return text.data();
-}
-
-// The colour scale ends at the speed of a free fall from the highest start to the ground.
-SpeedScale ScaleFor(const Scene& scene, const std::vector<Body>& bodies) {
-  double highest = 0;
-  for (const Body& body : bodies) highest = std::max(highest, body.pose.position.z());
-  constexpr double kLeast = 1;  // m/s, for scenes that start on the ground or have no gravity.
-  return SpeedScale(std::max(kLeast, std::ceil(std::sqrt(2 * scene.gravity.norm() * highest))));
+std::string TitleOf(Narrowphase narrowphase) {
+  return narrowphase == Narrowphase::kBuiltin ? "Bullet on its own GJK/EPA" : "Bullet on the growth distance";
 }
 
 bool IsDrawable(const Snapshot& state) {
@@ -38,87 +29,135 @@ bool IsDrawable(const Snapshot& state) {
                              [](const Pose& pose) { return pose.position.allFinite() && pose.rotation.allFinite(); });
 }
 
-std::string TitleOf(Narrowphase narrowphase) {
-  return narrowphase == Narrowphase::kBuiltin ? "Bullet on its own GJK/EPA" : "Bullet on the growth distance";
+double FastestIn(const Snapshot& state) {
+  double fastest = 0;
+  for (const double speed : state.speeds) {
+    if (std::isfinite(speed)) fastest = std::max(fastest, speed);
+  }
+  return fastest;
 }
+
+double FastestIn(const std::vector<NamedRun>& runs) {
+  double fastest = 0;
+  for (const NamedRun& run : runs) {
+    fastest = std::max(fastest, FastestIn(run.run.end_state));
+    for (const Snapshot& state : run.run.snapshots) fastest = std::max(fastest, FastestIn(state));
+  }
+  return fastest;
+}
+
+// The same moment of all runs, in the view; none for a run that did not get there, or has a body that is nowhere.
+using Moment = std::vector<std::optional<Snapshot>>;
 
 class PictureWriter {
  public:
-  PictureWriter(const Scene& scene, const std::vector<Body>& bodies, std::uint64_t seed,
-                const std::vector<NamedRun>& runs, const std::filesystem::path& folder)
-      : scale_(ScaleFor(scene, bodies)), bodies_(bodies), seed_(seed), runs_(runs), folder_(folder) {}
+  PictureWriter(const WorldView& view, std::optional<std::uint64_t> seed, const std::vector<NamedRun>& runs,
+                const std::filesystem::path& folder)
+      : scale_(ScaleFor(view, FastestIn(runs))), view_(view), seed_(seed), runs_(runs), folder_(folder) {}
 
   void Write() {
-    std::size_t moments = 0;
-    for (const NamedRun& run : runs_) moments = std::max(moments, run.run.snapshots.size());
-    ProgressBar progress("pictures", static_cast<double>(moments + 1));
-    SceneRenderer renderer(bodies_, scale_, kWidth, kHeight);
-    for (std::size_t i = 0; i < moments; ++i) {
+    const std::vector<Snapshot>& most = std::ranges::max_element(runs_, {}, [](const NamedRun& run) {
+                                          return run.run.snapshots.size();
+                                        })->run.snapshots;
+    std::vector<double> times;
+    for (const Snapshot& state : most) times.push_back(state.time);
+    const std::vector<std::string> names = PictureNames(times);
+    ProgressBar progress("pictures", static_cast<double>(names.size() + 1));
+    SceneRenderer renderer(view_.bodies, scale_, kPictureWidth, kPictureHeight);
+    for (std::size_t i = 0; i < names.size(); ++i) {
       progress.Update(static_cast<double>(i));
-      WriteMoment(i, renderer);
+      WriteMoment(i, names[i], renderer);
     }
-    progress.Update(static_cast<double>(moments));
+    progress.Update(static_cast<double>(names.size()));
     WriteEndState();
   }
 
  private:
   // One picture a run, all from the same place.
-  void WriteMoment(std::size_t index, SceneRenderer& renderer) const {
-    std::vector<const Snapshot*> states;
+  void WriteMoment(std::size_t index, const std::string& name, SceneRenderer& renderer) const {
+    Moment moment;
     for (const NamedRun& run : runs_) {
-      states.push_back(index < run.run.snapshots.size() ? &run.run.snapshots[index] : nullptr);
+      moment.push_back(index < run.run.snapshots.size() ? Drawable(run.run.snapshots[index]) : std::nullopt);
     }
-    const std::optional<Camera> camera = CameraFor(states, renderer.aspect());
+    const std::optional<Camera> camera = CameraFor(moment, renderer.aspect());
     for (std::size_t r = 0; r < runs_.size(); ++r) {
-      if (states[r] == nullptr || !IsDrawable(*states[r])) continue;
-      const std::string name = std::string(NameOf(runs_[r].narrowphase)) + Format("_t%05.2fs.png", states[r]->time);
-      WritePng(folder_ / name, Draw(runs_[r].narrowphase, *states[r], *camera, renderer));
+      if (!moment[r]) continue;
+      const std::string file = std::string(NameOf(runs_[r].narrowphase)) + "_" + name;
+      WritePng(folder_ / file, Draw(runs_[r].narrowphase, *moment[r], *camera, renderer));
     }
   }
 
   void WriteEndState() const {
-    std::vector<const Snapshot*> states;
-    for (const NamedRun& run : runs_) states.push_back(&run.run.end_state);
-    SceneRenderer renderer(bodies_, scale_, runs_.size() == 2 ? kHalfWidth : kWidth, kHeight);
-    const std::optional<Camera> camera = CameraFor(states, renderer.aspect());
+    Moment moment;
+    for (const NamedRun& run : runs_) moment.push_back(Drawable(run.run.end_state));
+    SceneRenderer renderer(view_.bodies, scale_, runs_.size() == 2 ? kHalfWidth : kPictureWidth, kPictureHeight);
+    const std::optional<Camera> camera = CameraFor(moment, renderer.aspect());
     std::vector<Image> images;
     for (std::size_t r = 0; r < runs_.size(); ++r) {
-      if (IsDrawable(*states[r])) images.push_back(Draw(runs_[r].narrowphase, *states[r], *camera, renderer));
+      if (moment[r]) images.push_back(Draw(runs_[r].narrowphase, *moment[r], *camera, renderer));
     }
     if (images.empty()) return;
     WritePng(folder_ / "end_state.png", images.size() == 2 ? SideBySide(images[0], images[1]) : images[0]);
   }
 
+  std::optional<Snapshot> Drawable(const Snapshot& state) const {
+    if (!IsDrawable(state)) return std::nullopt;
+    return InView(view_, state);
+  }
+
   // None if there is nothing to see.
-  std::optional<Camera> CameraFor(const std::vector<const Snapshot*>& states, double aspect) const {
+  std::optional<Camera> CameraFor(const Moment& moment, double aspect) const {
     std::vector<Ball> balls;
-    for (const Snapshot* state : states) {
-      if (state == nullptr || !IsDrawable(*state)) continue;
-      const std::vector<Ball> more = BallsAround(bodies_, *state);
+    const Snapshot* any = nullptr;
+    for (const std::optional<Snapshot>& state : moment) {
+      if (!state) continue;
+      any = &*state;
+      const std::vector<Ball> more = BallsAround(view_.bodies, *state);
       balls.insert(balls.end(), more.begin(), more.end());
     }
-    if (balls.empty()) return std::nullopt;
-    return FrameAll(balls, aspect);
+    if (any == nullptr) return std::nullopt;
+    return FrameAll(WithSurroundings(std::move(balls), view_.bodies, *any), aspect);
   }
 
   Image Draw(Narrowphase narrowphase, const Snapshot& state, const Camera& camera, SceneRenderer& renderer) const {
-    const std::string subtitle = "t = " + Format("%.2f", state.time) + " s,  seed " + std::to_string(seed_) + ",  " +
-                                 BulletPrecision() + " precision";
+    const std::string seed = seed_ ? "seed " + std::to_string(*seed_) + ",  " : "";
+    const std::string subtitle = TimeText(state.time) + ",  " + seed + BulletPrecision() + " precision";
     return renderer.Render({state, camera, TitleOf(narrowphase), subtitle});
   }
 
   SpeedScale scale_;
-  const std::vector<Body>& bodies_;
-  std::uint64_t seed_;
+  const WorldView& view_;
+  std::optional<std::uint64_t> seed_;
   const std::vector<NamedRun>& runs_;
   const std::filesystem::path& folder_;
 };
 
 }  // namespace
 
-void WritePictures(const Scene& scene, const std::vector<Body>& bodies, std::uint64_t seed,
-                   const std::vector<NamedRun>& runs, const std::filesystem::path& folder) {
-  PictureWriter(scene, bodies, seed, runs, folder).Write();
+void WritePictures(const WorldView& view, std::optional<std::uint64_t> seed, const std::vector<NamedRun>& runs,
+                   const std::filesystem::path& folder) {
+  PictureWriter(view, seed, runs, folder).Write();
+}
+
+std::vector<std::string> PictureNames(const std::vector<double>& times) {
+  constexpr int kLeastDecimals = 2, kMostDecimals = 9;
+  std::vector<std::string> names;
+  for (int decimals = kLeastDecimals; decimals <= kMostDecimals; ++decimals) {
+    names.clear();
+    for (const double time : times) {
+      std::array<char, 64> name;
+      std::snprintf(name.data(), name.size(), "t%0*.*fs.png", decimals + 3, decimals, time);
+      names.emplace_back(name.data());
+    }
+    if (std::set(names.begin(), names.end()).size() == names.size()) break;
+  }
+  return names;
+}
+
+std::string TimeText(double time) {
+  std::array<char, 64> text;
+  std::snprintf(text.data(), text.size(), "t = %.2f s", time);
+  return text.data();
 }
 
 }  // namespace dgd_demos

@@ -102,7 +102,7 @@ class RecordedRun {
         samples_(options, name_, *world_, mode_) {
     if (options.record) recorder_.emplace((options.out / (name_ + ".rec")).string());
     RunSettings settings{source.duration(), options.oracle_every};
-    if (source.scene()) settings.snapshots = source.scene()->snapshots;
+    settings.snapshots = source.snapshots();
     run_.emplace(*world_, std::move(settings), recorder_ ? &*recorder_ : nullptr);
     if (checkpoint_) {
       AddState(*checkpoint_, {});
@@ -200,8 +200,9 @@ ExitStatus Run(const RunOptions& options) {
     runs.push_back({narrowphase.kind, run.Result()});
     columns.push_back({std::string(NameOf(narrowphase.kind)), {FiguresOf(runs.back().run.summary)}});
   }
-  if (options.draw_snapshots && source.scene()) {
-    WritePictures(*source.scene(), source.bodies(), options.seed, runs, options.out);
+  const WorldView view = options.draw_snapshots ? source.View() : WorldView{};
+  if (!view.bodies.empty()) {
+    WritePictures(view, source.scene() ? std::optional(options.seed) : std::nullopt, runs, options.out);
   }
 
   WriteTableCsv(options.out / "summary.csv", columns);

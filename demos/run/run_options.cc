@@ -35,7 +35,7 @@ Examples:
   headless_sim run my.json --checkpoint 60 --resume             a long run, which goes on where it was when the same
                                                                 command is given again
   headless_sim run my_app.bullet --duration 20                  a world that your app has written with Bullet's
-                                                                serializer; of these no pictures are drawn
+                                                                serializer
 
 To write your world from your app:
   btDefaultSerializer serializer;
@@ -58,7 +58,8 @@ constexpr const char* kFiles = R"(Written into DIR:
       deepest_true_penetration_m      by an exact oracle that shares no code with either narrowphase
                                       (pairs with a mesh or another shape that it does not know are left
                                       out of it, and counted in the table)
-  builtin_t00.50s.png, ...      pictures at the scene's times; blue bodies are still, red ones fast
+  builtin_t00.50s.png, ...      pictures at the scene's times, or of a world file at begin,
+                                middle and end; blue bodies are still, red ones fast
   end_state.png                 the end of the run; of both side by side, if both ran
   builtin.rec, dgd.rec          with --record: the queries of the narrowphase, for narrowphase_replay; one MB
                                 holds 5000 pairs (10000 in float)

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "report/csv_file.h"
+#include "run/trajectory_reader.h"
 #include "simulation/bullet_math.h"
 
 namespace dgd_demos {
@@ -15,13 +16,7 @@ void Add(NpyFile& file, const Eigen::Vector3d& vector) { file.Add({vector.x(), v
 }  // namespace
 
 TrajectoryFile::TrajectoryFile(const std::filesystem::path& file, const SimulatedWorld& world, OpenMode mode)
-    : file_(file,
-            {{"time"},
-             {"position", false, 3},
-             {"orientation", false, 4},
-             {"velocity", false, 3},
-             {"angular_velocity", false, 3}},
-            world.Bodies().size(), mode) {}
+    : file_(file, TrajectoryColumns(), world.Bodies().size(), mode) {}
 
 void TrajectoryFile::Add(double time, const SimulatedWorld& world) {
   const std::vector<Pose> poses = world.Poses();

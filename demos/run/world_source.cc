@@ -60,4 +60,10 @@ std::unique_ptr<SimulatedWorld> WorldSource::Make(const NarrowphaseChoice& narro
   return std::make_unique<World>(*scene_, bodies_, narrowphase);
 }
 
+std::vector<double> WorldSource::snapshots() const {
+  return scene_ ? scene_->snapshots : std::vector<double>{0, duration_ / 2, duration_};
+}
+
+WorldView WorldSource::View() const { return scene_ ? ViewOf(*scene_, bodies_) : ViewOf(*Make(Narrowphase::kBuiltin)); }
+
 }  // namespace dgd_demos

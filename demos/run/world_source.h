@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "report/world_view.h"
 #include "scene/bodies.h"
 #include "scene/scene_file.h"
 #include "simulation/narrowphase.h"
@@ -39,6 +40,10 @@ class WorldSource {
   const std::optional<Scene>& scene() const { return scene_; }
   /// Bodies of the scene; see MakeBodies().
   const std::vector<Body>& bodies() const { return bodies_; }
+  /// Times of the pictures, s, ascending: a scene's own; of a world file begin, middle and end.
+  std::vector<double> snapshots() const;
+  /// How its pictures show it, from the poses that it begins with on. @throws as Make().
+  WorldView View() const;
   /// Sentences about parts of a world file that are not restored, and about shapes that the oracle does not judge.
   const std::vector<std::string>& remarks() const { return remarks_; }
 

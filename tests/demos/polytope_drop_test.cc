@@ -1,13 +1,13 @@
 // The program as its users run it: exit statuses, what it prints, what it leaves on disk.
 #include <dgd_bullet/record_file.h>
 #include <gtest/gtest.h>
-#include <png.h>
 #include <sys/wait.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <string>
 
+#include "picture_file.h"
 #include "small_scenes.h"
 
 namespace dgd_demos {
@@ -45,12 +45,9 @@ TEST_F(PolytopeDropTest, BothNarrowphases_LeaveCsvPicturesTableAndSilenceOnStand
                            "dgd_t00.00s.png", "dgd_t00.10s.png", "end_state.png"}) {
     EXPECT_TRUE(Exists(std::string("out/") + name)) << name;
   }
-  png_image header{};
-  header.version = PNG_IMAGE_VERSION;
-  ASSERT_NE(png_image_begin_read_from_file(&header, Path("out/dgd_t00.10s.png").c_str()), 0);
-  EXPECT_EQ(header.width, 1280u);
-  EXPECT_EQ(header.height, 720u);
-  png_image_free(&header);
+  const Image picture = ReadPng(Path("out/dgd_t00.10s.png"));
+  EXPECT_EQ(picture.width, 1280);
+  EXPECT_EQ(picture.height, 720);
 }
 
 TEST_F(PolytopeDropTest, OneNarrowphaseWithoutPictures_LeavesOnlyItsCsvAndTheTable) {

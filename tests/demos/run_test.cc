@@ -165,7 +165,7 @@ TEST_F(RunTest, Options_ReachThePlugin) {
             std::filesystem::file_size(Path("full/dgd_contacts.npy")));
 }
 
-// Out and in again: the world that the scene is, without its pictures.
+// Out and in again: the world that the scene is.
 TEST_F(RunTest, WorldFile_RunsAsTheSceneThatItWasWrittenFrom) {
   const Outcome exported = Run("export " + scene_ + " " + Path("box.bullet"));
   ASSERT_EQ(exported.status, 0) << exported.output;
@@ -175,7 +175,8 @@ TEST_F(RunTest, WorldFile_RunsAsTheSceneThatItWasWrittenFrom) {
   ASSERT_EQ(outcome.status, 0) << outcome.output;
   EXPECT_EQ(Run("run " + scene_ + " --no-snapshots" + options + Path("scene")).status, 0);
   EXPECT_EQ(ReadFile(Path("world/dgd_trajectory.npy")), ReadFile(Path("scene/dgd_trajectory.npy")));
-  EXPECT_FALSE(std::filesystem::exists(Path("world/end_state.png")));
+  EXPECT_TRUE(std::filesystem::exists(Path("world/end_state.png")));
+  EXPECT_FALSE(std::filesystem::exists(Path("scene/end_state.png")));
 
   const std::string study =
       folder_.Write("study.json", R"({ "about": "a", "worlds": ["box.bullet"], "duration": 0.1 })").string();

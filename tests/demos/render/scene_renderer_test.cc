@@ -3,13 +3,13 @@
 #include "render/scene_renderer.h"
 
 #include <gtest/gtest.h>
-#include <png.h>
 
 #include <algorithm>
 #include <set>
 #include <tuple>
 #include <vector>
 
+#include "picture_file.h"
 #include "render/png_file.h"
 #include "small_scenes.h"
 
@@ -40,7 +40,7 @@ Colour MeanAround(const Image& image, int column, int row) {
 // A single ball in the middle of the picture, at a height, at a speed.
 class SceneRendererTest : public testing::Test {
  protected:
-  SceneRendererTest() : renderer_(Bodies(), SpeedScale(10), kWidth, kHeight) {}
+  SceneRendererTest() : renderer_(DrawnBodiesOf(Bodies()), SpeedScale(10), kWidth, kHeight) {}
 
   static std::vector<Body> Bodies() {
     std::vector<Body> bodies = MakeBodies(SmallDropScene(), 1);
@@ -147,7 +147,7 @@ TEST_F(SceneRendererTest, SameState_SamePicture) { EXPECT_EQ(Draw(State(3)).rgb,
 
 TEST_F(SceneRendererTest, TwoRenderers_DoNotDisturbEachOther) {
   const Image before = Draw(State(3));
-  SceneRenderer other(Bodies(), SpeedScale(10), 64, 64);
+  SceneRenderer other(DrawnBodiesOf(Bodies()), SpeedScale(10), 64, 64);
   EXPECT_EQ(other.Render({State(3), Camera{Eigen::Vector3d::Zero(), 10}, "", ""}).width, 64);
   EXPECT_EQ(Draw(State(3)).rgb, before.rgb);
 }
@@ -157,15 +157,10 @@ TEST_F(SceneRendererTest, PngFile_ReadsBackToTheSamePixels) {
   const Image image = Draw(State(3));
   WritePng(folder.path() / "picture.png", image);
 
-  png_image header{};
-  header.version = PNG_IMAGE_VERSION;
-  ASSERT_NE(png_image_begin_read_from_file(&header, (folder.path() / "picture.png").c_str()), 0);
-  header.format = PNG_FORMAT_RGB;
-  EXPECT_EQ(header.width, static_cast<unsigned>(kWidth));
-  EXPECT_EQ(header.height, static_cast<unsigned>(kHeight));
-  std::vector<std::uint8_t> pixels(PNG_IMAGE_SIZE(header));
-  ASSERT_NE(png_image_finish_read(&header, nullptr, pixels.data(), 0, nullptr), 0);
-  EXPECT_EQ(pixels, image.rgb);
+  const Image read = ReadPng(folder.path() / "picture.png");
+  EXPECT_EQ(read.width, kWidth);
+  EXPECT_EQ(read.height, kHeight);
+  EXPECT_EQ(read.rgb, image.rgb);
 }
 
 TEST(PngFileTest, FolderThatDoesNotExist_IsNamed) {
