@@ -77,7 +77,9 @@ template void CommandLine::AddNumber(const std::string&, const std::string&, dou
 
 void CommandLine::AddNumbers(const std::string& name, const std::string& kind, std::vector<double>& values,
                              const Limits<double>& limits, const std::string& help) {
-  parser_->Add(name, kind, values, help).delimiter(',')->check(Within(limits))->capture_default_str();
+  CLI::Option& option = parser_->Add(name, kind, values, help);
+  option.delimiter(',')->check(Within(limits));
+  if (!values.empty()) option.capture_default_str();
 }
 
 void CommandLine::AddNumber(const std::string& name, const std::string& kind, std::optional<double>& value,

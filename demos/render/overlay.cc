@@ -4,6 +4,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -20,8 +21,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// Sizes are in pixels of a picture of this height, and grow with it.
-constexpr double kDesignHeight = 720;
+// Sizes are in pixels of a picture of this height, and grow with it; of one at least this wide.
+constexpr double kDesignHeight = 720, kDesignWidth = 960;
 constexpr double kMarginSize = 36;
 constexpr double kTitleHeight = 24, kSubtitleHeight = 15, kLabelHeight = 12;
 constexpr double kBarWidth = 260, kBarHeight = 12;
@@ -125,7 +126,7 @@ void DrawLegend(const std::vector<LegendEntry>& legend, double unit) {
 }  // namespace
 
 void DrawOverlay(const OverlayText& text, const SpeedScale& scale, int width, int height, const Vector2d& jitter) {
-  const double unit = height / kDesignHeight;
+  const double unit = std::min(height / kDesignHeight, width / kDesignWidth);
   glUseProgram(0);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);

@@ -158,6 +158,12 @@ void Append(const SurfaceMesh& part, const Pose& pose, SurfaceMesh& mesh) {
   }
 }
 
+double BoundingRadius(const SurfaceMesh& mesh) {
+  float radius = 0;
+  for (const SurfaceVertex& vertex : mesh) radius = std::max(radius, vertex.position.norm());
+  return double(radius);
+}
+
 SurfaceMesh SurfaceOf(const Shape& shape, double margin) {
   const double radius = RoundingRadius(shape, margin);
   return std::visit(

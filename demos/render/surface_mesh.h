@@ -29,6 +29,9 @@ SurfaceMesh TwoSidedSurface(const std::vector<Eigen::Vector3d>& corners);
 /// Adds a part's surface. @param pose  of the part in the body's frame.
 void Append(const SurfaceMesh& part, const Pose& pose, SurfaceMesh& mesh);
 
+/// Greatest distance of a vertex from the origin, m.
+double BoundingRadius(const SurfaceMesh& mesh);
+
 /// The surface of core + ball. @pre core.IsSolid().
 SurfaceMesh RoundedPolyhedronSurface(const Polyhedron& core, double radius);
 

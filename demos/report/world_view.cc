@@ -84,7 +84,10 @@ WorldView ViewOf(SimulatedWorld& world) {
     const PlaneSquare square{pose.rotation.transpose() * (room.center() - pose.position), room.diagonal().norm()};
     const auto index = static_cast<std::size_t>(objects[i]->getUserIndex());
     const Pose in_view{view.world_to_view * pose.rotation, view.world_to_view * pose.position};
-    view.bodies[index] = {SurfaceOf(shape, square), bodies[index].radius,
+    SurfaceMesh surface = SurfaceOf(shape, square);
+    // Bullet's own, of its bounding box, is half as large again.
+    const double radius = std::isfinite(bodies[index].radius) ? BoundingRadius(surface) : bodies[index].radius;
+    view.bodies[index] = {std::move(surface), radius,
                           bodies[index].moves ? Role::kBody : RoleOfStatic(shape, in_view, width)};
   }
   return view;

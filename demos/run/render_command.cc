@@ -141,7 +141,7 @@ ExitStatus Render(const RenderOptions& options) {
       WritePng(options.out / pictures[i].name, image);
     }
   }
-  std::printf("%zu pictures of %s are in %s\n", pictures.size(), options.trajectory.c_str(), options.out.c_str());
+  std::printf("Pictures: %zu, in %s\n", pictures.size(), options.out.c_str());
   return kSuccess;
 }
 

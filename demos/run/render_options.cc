@@ -65,7 +65,7 @@ std::string Complaint(const std::string& size, RenderOptions& options) {
 
 std::variant<RenderOptions, ExitStatus> ParseRenderOptions(int argc, const char* const* argv) {
   RenderOptions options;
-  std::string size = "1280x720";
+  std::string size = std::to_string(options.width) + "x" + std::to_string(options.height);
   CommandLine line("headless_sim render", kDescription, kFooter);
   line.AddArgument("world", "WORLD", options.world,
                    "What was run: scene (.json or the name of one), or Bullet's world file");

@@ -92,7 +92,7 @@ void TrajectoryReader::ReadHead() {
   if (!stream_ || !prefix.starts_with(kMagic)) Fail("is no .npy file: it does not begin with NumPy's magic number");
   const auto byte = [&](std::size_t i) { return static_cast<unsigned>(static_cast<unsigned char>(prefix[i])); };
   if (byte(6) != 1) {
-    Fail("has version " + std::to_string(byte(6)) + " of the .npy format, of which version 1 is read");
+    Fail("has version " + std::to_string(byte(6)) + " of the .npy format, and only version 1 is read");
   }
   const std::size_t length = byte(8) + 256 * byte(9);
   data_ = kPrefix + length;

@@ -38,8 +38,6 @@ class WorldSource {
   double duration() const { return duration_; }  ///< s
   /// The scene; nothing for a world file.
   const std::optional<Scene>& scene() const { return scene_; }
-  /// Bodies of the scene; see MakeBodies().
-  const std::vector<Body>& bodies() const { return bodies_; }
   /// Times of the pictures, s, ascending: a scene's own; of a world file begin, middle and end.
   std::vector<double> snapshots() const;
   /// How its pictures show it, from the poses that it begins with on. @throws as Make().
