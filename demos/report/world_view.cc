@@ -54,11 +54,14 @@ Role RoleOfStatic(const btCollisionShape& shape, const Pose& pose, double width)
   return is_floor ? Role::kFloor : Role::kScenery;
 }
 
+// Whether a body counts for the frame; a plane does not, not even one with a mass.
+bool IsFramed(const SimulatedBody& body) { return body.moves && std::isfinite(body.radius); }
+
 // Radius of the ball that has all starts of bodies that move, m; 0 if none does.
 double RadiusOfMoving(const std::vector<SimulatedBody>& bodies) {
   std::vector<Ball> balls;
   for (const SimulatedBody& body : bodies) {
-    if (body.moves) balls.push_back({body.start, body.radius});
+    if (IsFramed(body)) balls.push_back({body.start, body.radius});
   }
   return BallAroundAll(balls).radius;
 }
@@ -88,7 +91,7 @@ WorldView ViewOf(SimulatedWorld& world) {
     // Bullet's own, of its bounding box, is half as large again.
     const double radius = std::isfinite(bodies[index].radius) ? BoundingRadius(surface) : bodies[index].radius;
     view.bodies[index] = {std::move(surface), radius,
-                          bodies[index].moves ? Role::kBody : RoleOfStatic(shape, in_view, width)};
+                          IsFramed(bodies[index]) ? Role::kBody : RoleOfStatic(shape, in_view, width)};
   }
   return view;
 }

@@ -31,7 +31,8 @@ Examples:
   headless_sim run my.json --set friction_anchors=off           a scene of your own, with an option of the plugin
   headless_sim run my.json --precision both                     Bullet in float and in double, into out/float and
                                                                 out/double
-  headless_sim run my.json --trajectory --sample-every 0.05     20 poses a second for NumPy
+  headless_sim run my.json --trajectory --sample-every 0.05     20 poses a second for NumPy, and for
+                                                                `headless_sim render my.json out/dgd_trajectory.npy`
   headless_sim run my.json --checkpoint 60 --resume             a long run, which goes on where it was when the same
                                                                 command is given again
   headless_sim run my_app.bullet --duration 20                  a world that your app has written with Bullet's

@@ -53,9 +53,13 @@ bool ParseShape(std::string_view text, std::size_t& samples, std::size_t& bodies
   return second.ec == std::errc() && second.ptr == end;
 }
 
-std::string Shortened(std::string_view text) {
+// A piece of a file that may be anything, for a message.
+std::string Printable(std::string_view text) {
   constexpr std::size_t kMost = 200;
-  return text.size() <= kMost ? std::string(text) : std::string(text.substr(0, kMost)) + "...";
+  std::string printable(text.substr(0, kMost));
+  std::ranges::replace_if(
+      printable, [](char letter) { return letter < ' ' || letter > '~'; }, '?');
+  return text.size() <= kMost ? printable : printable + "...";
 }
 
 template <class Vector>
@@ -107,13 +111,13 @@ void TrajectoryReader::ReadHead() {
   const std::string_view columns = ValueOf(head, "'descr':", ",'fortran_order'");
   const std::string expected = WithoutBlanks(NpyFile::Description(TrajectoryColumns()));
   if (columns != expected) {
-    Fail("is no trajectory: its columns are " + Shortened(columns.empty() ? head : columns) + ", and not " + expected);
+    Fail("is no trajectory: its columns are " + Printable(columns.empty() ? head : columns) + ", and not " + expected);
   }
   const std::string_view shape = ValueOf(head, "'shape':(", ")");
   if (head.find("'fortran_order':False") == std::string::npos || !ParseShape(shape, samples_, bodies_)) {
-    Fail("is no trajectory: its head is " + Shortened(head) + ", without a shape (samples, bodies) in C order");
+    Fail("is no trajectory: its head is " + Printable(head) + ", without a shape (samples, bodies) in C order");
   }
-  if (samples_ == 0 || bodies_ == 0) Fail("has no samples: its shape is (" + std::string(shape) + ")");
+  if (samples_ == 0 || bodies_ == 0) Fail("has no samples: its shape is (" + Printable(shape) + ")");
   // By division, since the product of numbers from a file may overflow.
   if (samples_ > (size - data_) / kRowBytes / bodies_) {
     Fail("is cut off: it counts " + std::to_string(samples_) + " samples of " + std::to_string(bodies_) +

@@ -9,7 +9,7 @@ namespace dgd_demos {
 
 struct Snapshot {
   double time;                 ///< s
-  std::vector<Pose> poses;     ///< Poses in the order of the bodies, the ground first.
+  std::vector<Pose> poses;     ///< Poses in the order of the bodies.
   std::vector<double> speeds;  ///< Speeds of the centres of mass, m/s.
 };
 

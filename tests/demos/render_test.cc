@@ -176,6 +176,7 @@ TEST_F(RenderTest, WrongTrajectory_Status2AndASentenceWithFileAndValue) {
            {WithText("(11, 2)", "(22, 1)"), "the time of sample 1 is 0 s, after 0 s"},
            {WithText("(11, 2)", "(7, 3)"), "has 3 bodies, and "},
            {WithText("False", "True"), "in C order"},
+           {WithText("'position'", "'po\x1b'"), "('po?','<f8',(3,))"},
            {WithText("'position'", "'place'"), "its columns are [('time','<f8'),('place','<f8',(3,))"},
            {With(28, nan), "the time of sample 1 is nan s, after 0 s"},
            {With(28, -1), "the time of sample 1 is -1 s, after 0 s"},
