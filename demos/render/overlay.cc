@@ -98,11 +98,15 @@ void DrawScale(const SpeedScale& scale, double width, double unit) {
   const Vector2d corner(width - (kMarginSize + kBarWidth) * unit, (kMarginSize + kLabelHeight + 8) * unit);
   DrawGradient(corner, kBarWidth * unit, kBarHeight * unit);
   SetColour(kInk);
+  double free_from = 0;  // Right end of the last label, with a gap.
   for (const double speed : MarkedSpeeds(scale.fastest())) {
     const Vector2d tick = corner + Vector2d(scale.PlaceOf(speed) * kBarWidth * unit, 0);
-    DrawLine(tick, tick - Vector2d(0, 4 * unit), 1.2 * unit);
     std::array<char, 16> label;
     std::snprintf(label.data(), label.size(), "%.3g", speed);
+    const double half_width = StrokesOf(label.data()).width * kLabelHeight * unit / 2;
+    if (tick.x() - half_width < free_from) continue;
+    free_from = tick.x() + half_width + 3 * unit;
+    DrawLine(tick, tick - Vector2d(0, 4 * unit), 1.2 * unit);
     DrawCentred(label.data(), tick - Vector2d(0, (kLabelHeight + 8) * unit), kLabelHeight * unit);
   }
   const Vector2d above = corner + Vector2d(kBarWidth / 2 * unit, (kBarHeight + 8) * unit);

@@ -99,7 +99,7 @@ class RenderTest : public testing::Test {
 
 using Names = std::vector<std::string>;
 
-TEST_F(RenderTest, Pictures_AreOfTheScenesTimesOrOfThoseAskedFor) {
+TEST_F(RenderTest, Pictures_AreOfTheScenesTimesOrOfThoseGiven) {
   const Outcome outcome = Render(scene_ + " " + trajectory_ + " --out " + Path("scene"));
   ASSERT_EQ(outcome.status, 0) << outcome.output;
   EXPECT_EQ(Count(outcome.output, "Pictures: 2, in "), 1) << outcome.output;
@@ -110,8 +110,8 @@ TEST_F(RenderTest, Pictures_AreOfTheScenesTimesOrOfThoseAskedFor) {
   EXPECT_GT(CountColoured(image), kWidth * kHeight / 20) << "no box";
 
   // Of the nearest samples, each once.
-  EXPECT_EQ(Render(scene_ + " " + trajectory_ + " --times 0.21,0.066,0.079 --out " + Path("asked")).status, 0);
-  EXPECT_EQ(Pictures("asked"), (Names{"t00.06s.png", "t00.08s.png", "t00.20s.png"}));
+  EXPECT_EQ(Render(scene_ + " " + trajectory_ + " --times 0.21,0.066,0.079 --out " + Path("given")).status, 0);
+  EXPECT_EQ(Pictures("given"), (Names{"t00.06s.png", "t00.08s.png", "t00.20s.png"}));
 }
 
 // The ground stays where it is while the box falls.
