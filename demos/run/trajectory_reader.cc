@@ -106,8 +106,10 @@ void TrajectoryReader::ReadHead() {
   std::string text(length, '\0');
   stream_.read(text.data(), static_cast<std::streamsize>(length));
   if (!stream_) Fail("cannot be read");
+  ParseHead(WithoutBlanks(text), size - data_);
+}
 
-  const std::string head = WithoutBlanks(text);
+void TrajectoryReader::ParseHead(const std::string& head, std::uintmax_t data_size) {
   const std::string_view columns = ValueOf(head, "'descr':", ",'fortran_order'");
   const std::string expected = WithoutBlanks(NpyFile::Description(TrajectoryColumns()));
   if (columns != expected) {
@@ -119,9 +121,9 @@ void TrajectoryReader::ReadHead() {
   }
   if (samples_ == 0 || bodies_ == 0) Fail("has no samples: its shape is (" + Printable(shape) + ")");
   // By division, since the product of numbers from a file may overflow.
-  if (samples_ > (size - data_) / kRowBytes / bodies_) {
+  if (samples_ > data_size / kRowBytes / bodies_) {
     Fail("is cut off: it counts " + std::to_string(samples_) + " samples of " + std::to_string(bodies_) +
-         " bodies of " + std::to_string(kRowBytes) + " bytes each, and has " + std::to_string(size - data_) +
+         " bodies of " + std::to_string(kRowBytes) + " bytes each, and has " + std::to_string(data_size) +
          " bytes of them");
   }
 }

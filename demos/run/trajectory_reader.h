@@ -3,8 +3,10 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <string>
 #include <vector>
 
 #include "report/npy_file.h"
@@ -38,6 +40,8 @@ class TrajectoryReader {
 
  private:
   void ReadHead();
+  // @param head  the dictionary, without blanks. @param data_size  bytes after it.
+  void ParseHead(const std::string& head, std::uintmax_t data_size);
   void ReadTimes();
   // Fills `size` doubles from an offset in the file. @throws SceneError if it ends before.
   void Read(std::size_t offset, double* numbers, std::size_t size);
