@@ -13,6 +13,7 @@
 #include "render/camera.h"
 #include "render/png_file.h"
 #include "render/scene_renderer.h"
+#include "report/output_folder.h"
 #include "report/pictures.h"
 #include "report/progress_bar.h"
 #include "run/trajectory_reader.h"
@@ -61,7 +62,8 @@ std::vector<Picture> MomentsAt(const std::vector<double>& times, const Trajector
   std::vector<std::size_t> samples;
   for (const double time : times) samples.push_back(trajectory.NearestSample(time));
   std::ranges::sort(samples);
-  samples.erase(std::ranges::unique(samples).begin(), samples.end());
+  const auto repeated = std::ranges::unique(samples);
+  samples.erase(repeated.begin(), repeated.end());
 
   std::vector<double> sample_times;
   for (const std::size_t sample : samples) sample_times.push_back(trajectory.times()[sample]);
@@ -126,7 +128,7 @@ ExitStatus Render(const RenderOptions& options) {
   const std::vector<double> times = options.times.empty() ? DefaultTimes(source, trajectory) : options.times;
   const std::vector<Picture> pictures =
       options.every ? FramesEvery(*options.every, trajectory) : MomentsAt(times, trajectory);
-  std::filesystem::create_directories(options.out);
+  MakeOutputFolder(options.out);
 
   const WorldView view = source.View();
   const Frame frame = FrameOf(pictures, view, trajectory, static_cast<double>(options.width) / options.height);

@@ -201,7 +201,7 @@ TEST_F(RenderTest, BadInput_Status2) {
            {scene_, "trajectory is required"},
            {scene_ + " nowhere.npy", "nowhere.npy: cannot be opened"},
            {scene_ + " /", "/: cannot be read"},
-           {"nowhere " + trajectory_, "nowhere.json: cannot be opened"},
+           {"nowhere " + trajectory_, "nowhere: there is no such scene"},
            {"coin " + trajectory_, "body 1 begins at"},
            {scene_ + " " + trajectory_ + " --times 0,0.5", "has no sample at 0.5 s: its times are from 0 to 0.2 s"},
            {scene_ + " " + trajectory_ + " --times -1", "--times"},

@@ -56,6 +56,7 @@ TEST_P(DropRunTest, SameSeedTwice_SameCsvButForTheTimes) {
   const auto csv_of_run = [&](const char* name) {
     StepCsv csv(folder.path() / name, {"scene", 4, "narrowphase", "precision", "type"});
     RunDrop(scene, MakeBodies(scene, 4), GetParam(), 4, [&](const StepRecord& step) { csv.Write(step); });
+    csv.Flush();
     return ReadFile(folder.path() / name);
   };
   const std::string first = csv_of_run("first.csv");
