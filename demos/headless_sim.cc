@@ -73,7 +73,7 @@ ExitStatus One(const std::string& spec) {
 
 // Runs the world by the program of each precision requested, into a folder of its own if there are two.
 int RunBySiblings(const RunOptions& options, const std::vector<std::string>& arguments) {
-  CatchStopSignals();
+  const StopSignals stop_signals;
   int worst = kSuccess;
   for (const std::string precision : {"float", "double"}) {
     if (IsStopRequested() || (options.precision != "both" && options.precision != precision)) continue;

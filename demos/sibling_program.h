@@ -11,7 +11,7 @@ namespace dgd_demos {
 /// @throws std::runtime_error if it does not exist.
 std::string ProgramFor(const std::string& precision);
 
-/// Runs a program with this one's streams until it ends, and passes stop signals on to it; see CatchStopSignals().
+/// Runs a program with this one's streams until it ends, and passes stop signals on to it; see StopSignals.
 /// @return its exit status, or 128 and the number of the signal that ended it, as in shells.
 /// @throws std::runtime_error if it cannot be started.
 int RunAndWait(const std::string& program, const std::vector<std::string>& arguments);

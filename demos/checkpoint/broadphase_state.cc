@@ -26,16 +26,16 @@ btDbvtProxy* At(const Proxies& proxies, int index) {
   return index == kNone ? nullptr : proxies.at(static_cast<std::size_t>(index));
 }
 
-// A node with its descendants. Reading makes nodes as the tree allocates and frees them.
-btDbvtNode* AddSubtree(StateArchive& archive, btDbvtNode* node, btDbvtNode* parent, const Proxies& proxies) {
+// A node with its descendants. Reading makes nodes as the tree allocates and frees them; writing assigns what is there.
+btDbvtNode* SerializeSubtree(StateArchive& archive, btDbvtNode* node, btDbvtNode* parent, const Proxies& proxies) {
   if (archive.is_reading()) node = new (btAlignedAlloc(sizeof(btDbvtNode), 16)) btDbvtNode{};
   node->parent = parent;
-  archive.AddPlain(node->volume);
+  archive.SerializePlain(node->volume);
   int leaf = kNone;
   if (!archive.is_reading() && node->isleaf()) leaf = IndexOf(static_cast<btDbvtProxy*>(node->data));
-  archive.Add(leaf);
+  archive.Serialize(leaf);
   if (leaf == kNone) {
-    for (btDbvtNode*& child : node->childs) child = AddSubtree(archive, child, node, proxies);
+    for (btDbvtNode*& child : node->childs) child = SerializeSubtree(archive, child, node, proxies);
     return node;
   }
   btDbvtProxy* const proxy = At(proxies, leaf);
@@ -47,21 +47,22 @@ btDbvtNode* AddSubtree(StateArchive& archive, btDbvtNode* node, btDbvtNode* pare
 
 // Bullet keeps the nodes of a tree in the order of their addresses, but only exchanges nodes for that: its shape does
 // not depend on the addresses.
-void AddTree(StateArchive& archive, btDbvt& tree, const Proxies& proxies) {
+void SerializeTree(StateArchive& archive, btDbvt& tree, const Proxies& proxies) {
   bool is_empty = tree.m_root == nullptr;
-  archive.Add(is_empty);
+  archive.Serialize(is_empty);
   if (archive.is_reading()) tree.clear();
-  if (!is_empty) tree.m_root = AddSubtree(archive, tree.m_root, nullptr, proxies);
-  archive.Add(tree.m_leaves);
-  archive.Add(tree.m_lkhd);
-  archive.Add(tree.m_opath);
+  if (!is_empty) tree.m_root = SerializeSubtree(archive, tree.m_root, nullptr, proxies);
+  archive.Serialize(tree.m_leaves);
+  archive.Serialize(tree.m_lkhd);
+  archive.Serialize(tree.m_opath);
 }
 
 // The proxies that were moved in one stage of the broadphase, a doubly linked list.
-void AddStage(StateArchive& archive, btDbvtProxy*& root, const Proxies& proxies) {
+void SerializeStage(StateArchive& archive, btDbvtProxy*& root, const Proxies& proxies) {
   std::vector<int> indices;
   for (const btDbvtProxy* proxy = root; proxy != nullptr; proxy = proxy->links[1]) indices.push_back(IndexOf(proxy));
-  archive.Add(indices, [&](int& index) { archive.Add(index); });
+  archive.Serialize(indices, [&](int& index) { archive.Serialize(index); });
+  if (!archive.is_reading()) return;
   root = nullptr;
   btDbvtProxy* last = nullptr;
   for (const int index : indices) {
@@ -75,25 +76,25 @@ void AddStage(StateArchive& archive, btDbvtProxy*& root, const Proxies& proxies)
 
 }  // namespace
 
-void AddBroadphase(StateArchive& archive, btDbvtBroadphase& broadphase, const btCollisionObjectArray& objects) {
+void SerializeBroadphase(StateArchive& archive, btDbvtBroadphase& broadphase, const btCollisionObjectArray& objects) {
   const Proxies proxies = ProxiesOf(objects);
   for (btDbvtProxy* proxy : proxies) {
-    archive.AddPlain(proxy->m_aabbMin);
-    archive.AddPlain(proxy->m_aabbMax);
-    archive.Add(proxy->stage);
+    archive.SerializePlain(proxy->m_aabbMin);
+    archive.SerializePlain(proxy->m_aabbMax);
+    archive.Serialize(proxy->stage);
   }
-  for (btDbvt& tree : broadphase.m_sets) AddTree(archive, tree, proxies);
-  for (btDbvtProxy*& root : broadphase.m_stageRoots) AddStage(archive, root, proxies);
-  archive.Add(broadphase.m_stageCurrent);
-  archive.Add(broadphase.m_newpairs);
-  archive.Add(broadphase.m_fixedleft);
-  archive.Add(broadphase.m_updates_call);
-  archive.Add(broadphase.m_updates_done);
-  archive.Add(broadphase.m_updates_ratio);
-  archive.Add(broadphase.m_pid);
-  archive.Add(broadphase.m_cid);
-  archive.Add(broadphase.m_gid);
-  archive.Add(broadphase.m_needcleanup);
+  for (btDbvt& tree : broadphase.m_sets) SerializeTree(archive, tree, proxies);
+  for (btDbvtProxy*& root : broadphase.m_stageRoots) SerializeStage(archive, root, proxies);
+  archive.Serialize(broadphase.m_stageCurrent);
+  archive.Serialize(broadphase.m_newpairs);
+  archive.Serialize(broadphase.m_fixedleft);
+  archive.Serialize(broadphase.m_updates_call);
+  archive.Serialize(broadphase.m_updates_done);
+  archive.Serialize(broadphase.m_updates_ratio);
+  archive.Serialize(broadphase.m_pid);
+  archive.Serialize(broadphase.m_cid);
+  archive.Serialize(broadphase.m_gid);
+  archive.Serialize(broadphase.m_needcleanup);
 }
 
 }  // namespace dgd_demos

@@ -11,6 +11,6 @@ namespace dgd_demos {
 
 /// Proxies, trees and counters; not the pairs, which are the pair cache's.
 /// @param objects  of the world, each with its proxy.
-void AddBroadphase(StateArchive& archive, btDbvtBroadphase& broadphase, const btCollisionObjectArray& objects);
+void SerializeBroadphase(StateArchive& archive, btDbvtBroadphase& broadphase, const btCollisionObjectArray& objects);
 
 }  // namespace dgd_demos

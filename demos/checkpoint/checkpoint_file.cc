@@ -14,6 +14,8 @@ using nlohmann::json;
 // The file: this line, the hash of what follows, a line of JSON, the state's bytes.
 const std::string kMagic = "dgd-bullet checkpoint 1\n";
 
+constexpr const char* kStartsOver = "; without --resume, the run starts from the beginning";
+
 std::string HashLine(std::string_view content) { return HashOf(content) + "\n"; }
 
 [[noreturn]] void Fail(const std::filesystem::path& file, const std::string& what) {
@@ -24,8 +26,7 @@ void CheckIsOf(const json& run, const json& written, const std::filesystem::path
   for (const auto& [name, value] : run.items()) {
     const json other = written.is_object() ? written.value(name, json()) : json();
     if (other != value) {
-      Fail(file, "is of a run with " + name + " " + other.dump() + ", not " + value.dump() +
-                     "; without --resume, the run starts from the beginning");
+      Fail(file, "is of a run with " + name + " " + other.dump() + ", not " + value.dump() + kStartsOver);
     }
   }
 }
@@ -40,11 +41,11 @@ void WriteCheckpoint(const std::filesystem::path& file, const json& run, const S
 std::optional<StateArchive> ReadCheckpoint(const std::filesystem::path& file, const json& run) {
   if (!std::filesystem::exists(file)) return std::nullopt;
   const std::string bytes = ReadWholeFile(file);
-  if (!bytes.starts_with(kMagic)) Fail(file, "is no checkpoint of this version");
+  if (!bytes.starts_with(kMagic)) Fail(file, std::string("is damaged, or of another version") + kStartsOver);
   const std::size_t content = kMagic.size() + HashLine("").size();
   if (bytes.size() < content ||
       bytes.substr(kMagic.size(), content - kMagic.size()) != HashLine(bytes.substr(content))) {
-    Fail(file, "is damaged; without --resume, the run starts from the beginning");
+    Fail(file, std::string("is damaged") + kStartsOver);
   }
   const std::size_t end_of_run = bytes.find('\n', content);
   CheckIsOf(run, json::parse(bytes.substr(content, end_of_run - content)), file);

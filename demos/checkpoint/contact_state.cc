@@ -2,7 +2,6 @@
 
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -53,43 +52,32 @@ std::vector<btPersistentManifold*> ManifoldsByPair(const btBroadphasePairArray& 
   return manifolds;
 }
 
-void AddManifold(StateArchive& archive, btPersistentManifold& manifold) {
+// @param list  the dispatcher's manifolds, in the order in which the solver takes them.
+void SerializeManifold(StateArchive& archive, btPersistentManifold& manifold, btPersistentManifold** list) {
   int count = manifold.getNumContacts();
-  archive.Add(count);
+  archive.Serialize(count);
   if (archive.is_reading()) manifold.setNumContacts(count);
-  for (int i = 0; i < count; ++i) archive.AddPlain(manifold.getContactPoint(i));
-  archive.Add(manifold.m_companionIdA);
-  archive.Add(manifold.m_companionIdB);
-}
-
-// The dispatcher's list, by places in the order of the pairs.
-void AddOrder(StateArchive& archive, const std::vector<btPersistentManifold*>& by_pair, btDispatcher& dispatcher) {
-  btPersistentManifold** const list = dispatcher.getInternalManifoldPointer();
-  for (std::size_t i = 0; i < by_pair.size(); ++i) {
-    std::uint64_t place = 0;
-    if (!archive.is_reading())
-      place = static_cast<std::uint64_t>(std::ranges::find(by_pair, list[i]) - by_pair.begin());
-    archive.Add(place);
-    if (!archive.is_reading()) continue;
-    list[i] = by_pair.at(place);
-    list[i]->m_index1a = static_cast<int>(i);
-  }
+  for (int i = 0; i < count; ++i) archive.SerializePlain(manifold.getContactPoint(i));
+  archive.Serialize(manifold.m_companionIdA);
+  archive.Serialize(manifold.m_companionIdB);
+  archive.Serialize(manifold.m_index1a);  // Place in the list.
+  list[manifold.m_index1a] = &manifold;
 }
 
 }  // namespace
 
-void AddContacts(StateArchive& archive, btCollisionWorld& world) {
+void SerializeContacts(StateArchive& archive, btCollisionWorld& world) {
   btBroadphasePairArray& pairs = world.getPairCache()->getOverlappingPairArray();
   std::vector<PairState> states;
   if (!archive.is_reading()) states = Describe(pairs);
-  archive.Add(states, [&](PairState& state) { archive.Add(state); });
+  archive.Serialize(states, [&](PairState& state) { archive.Serialize(state); });
   if (archive.is_reading()) Rebuild(states, world);
 
   const std::vector<btPersistentManifold*> manifolds = ManifoldsByPair(pairs);
   archive.Expect(manifolds.size(), "contact manifolds of pairs");
   archive.Expect(static_cast<std::uint64_t>(world.getDispatcher()->getNumManifolds()), "contact manifolds");
-  for (btPersistentManifold* manifold : manifolds) AddManifold(archive, *manifold);
-  AddOrder(archive, manifolds, *world.getDispatcher());
+  btPersistentManifold** const list = world.getDispatcher()->getInternalManifoldPointer();
+  for (btPersistentManifold* manifold : manifolds) SerializeManifold(archive, *manifold, list);
 }
 
 }  // namespace dgd_demos

@@ -15,6 +15,6 @@ namespace dgd_demos {
 /// @pre reading: all objects are active, in the poses of the last collision detection; the broadphase has their
 ///      proxies.
 /// @throws std::runtime_error if that makes other manifolds than were written.
-void AddContacts(StateArchive& archive, btCollisionWorld& world);
+void SerializeContacts(StateArchive& archive, btCollisionWorld& world);
 
 }  // namespace dgd_demos

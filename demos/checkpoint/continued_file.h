@@ -10,13 +10,13 @@ namespace dgd_demos {
 
 enum class OpenMode {
   kCreate,    ///< Creates or overwrites the file.
-  kContinue,  ///< Leaves it as it is, until AddState() cuts off what was written after the checkpoint.
+  kContinue,  ///< Leaves it as it is, until Serialize() cuts off what was written after the checkpoint.
 };
 
 /// Writing: waits until the file is on the disk, and adds its size. Reading: cuts the file to that size.
 /// @param file  all of which has been handed to the operating system.
 /// @return the size, bytes.
 /// @throws std::runtime_error if the file is missing or shorter than that.
-std::uint64_t AddFileSize(StateArchive& archive, const std::filesystem::path& file);
+std::uint64_t SerializeFileSize(StateArchive& archive, const std::filesystem::path& file);
 
 }  // namespace dgd_demos

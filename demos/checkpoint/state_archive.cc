@@ -5,14 +5,14 @@
 
 namespace dgd_demos {
 
-void StateArchive::Add(std::string& text) {
-  text.resize(AddCount(text.size()));
-  AddBytes(text.data(), text.size());
+void StateArchive::Serialize(std::string& text) {
+  text.resize(SerializeCount(text.size()));
+  SerializeBytes(text.data(), text.size());
 }
 
 void StateArchive::Expect(std::uint64_t number, const char* what) {
   std::uint64_t written = number;
-  Add(written);
+  Serialize(written);
   if (written != number) {
     Fail("it has " + std::to_string(written) + " " + what + ", not " + std::to_string(number));
   }
@@ -24,7 +24,7 @@ void StateArchive::ExpectEnd() const {
 
 void StateArchive::Fail(const std::string& what) const { throw std::runtime_error(place_ + ": " + what); }
 
-void StateArchive::AddBytes(void* value, std::size_t size) {
+void StateArchive::SerializeBytes(void* value, std::size_t size) {
   if (!is_reading_) {
     bytes_.append(static_cast<const char*>(value), size);
     return;
@@ -34,9 +34,9 @@ void StateArchive::AddBytes(void* value, std::size_t size) {
   read_ += size;
 }
 
-std::size_t StateArchive::AddCount(std::size_t count) {
+std::size_t StateArchive::SerializeCount(std::size_t count) {
   std::uint64_t written = count;
-  Add(written);
+  Serialize(written);
   // Every element has at least a byte, so that a damaged count is found before memory is reserved for it.
   if (is_reading_ && written > bytes_.size() - read_) Fail("it ends within a list");
   return static_cast<std::size_t>(written);

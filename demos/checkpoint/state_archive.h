@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace dgd_demos {
@@ -26,23 +27,23 @@ class StateArchive {
   /// @throws std::runtime_error when reading beyond the end.
   template <class Value>
   requires std::is_trivially_copyable_v<Value>
-  void Add(Value& value) { AddBytes(&value, sizeof value); }
+  void Serialize(Value& value) { SerializeBytes(&value, sizeof value); }
   template <int kRows, int kColumns>
-  void Add(Eigen::Matrix<double, kRows, kColumns>& matrix) {
+  void Serialize(Eigen::Matrix<double, kRows, kColumns>& matrix) {
     static_assert(kRows > 0 && kColumns > 0);
-    AddBytes(matrix.data(), sizeof(double) * kRows * kColumns);
+    SerializeBytes(matrix.data(), sizeof(double) * kRows * kColumns);
   }
   /// A value of Bullet's, which is plain memory, though C++ does not count it as such.
   template <class Value>
   requires std::is_standard_layout_v<Value>
-  void AddPlain(Value& value) { AddBytes(&value, sizeof value); }
-  /// The elements are added by `add`, each by itself.
-  template <class Value, class AddElement>
-  void Add(std::vector<Value>& values, const AddElement& add) {
-    values.resize(AddCount(values.size()));
-    for (Value& value : values) add(value);
+  void SerializePlain(Value& value) { SerializeBytes(&value, sizeof value); }
+  /// The number of elements, and each of them by `serialize(element)`.
+  template <class Value, class SerializeElement>
+  void Serialize(std::vector<Value>& values, const SerializeElement& serialize) {
+    values.resize(SerializeCount(values.size()));
+    for (Value& value : values) serialize(value);
   }
-  void Add(std::string& text);
+  void Serialize(std::string& text);
 
   /// Checks that the state that is read is of the same kind as the one at hand.
   /// @param what  completes "it has 3 ..., not 4".
@@ -53,8 +54,8 @@ class StateArchive {
   [[noreturn]] void Fail(const std::string& what) const;
 
  private:
-  void AddBytes(void* value, std::size_t size);
-  std::size_t AddCount(std::size_t count);
+  void SerializeBytes(void* value, std::size_t size);
+  std::size_t SerializeCount(std::size_t count);
 
   std::string bytes_;
   std::string place_;

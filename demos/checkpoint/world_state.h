@@ -17,6 +17,6 @@ std::vector<btTransform> PosesOf(const btCollisionWorld& world);
 /// Bodies, multibodies, constraints, broadphase and contacts. The world's broadphase is a btDbvtBroadphase.
 /// @param collision_poses  those at which the last collision detection ran: PosesOf() before the step.
 /// @throws std::runtime_error reading: if the world is another one.
-void AddWorld(StateArchive& archive, btDynamicsWorld& world, std::vector<btTransform> collision_poses);
+void SerializeWorld(StateArchive& archive, btDynamicsWorld& world, std::vector<btTransform> collision_poses);
 
 }  // namespace dgd_demos

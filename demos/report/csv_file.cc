@@ -18,9 +18,9 @@ void CsvFile::Flush() {
   CheckWritten();
 }
 
-void CsvFile::AddState(StateArchive& archive) {
+void CsvFile::Serialize(StateArchive& archive) {
   Flush();
-  AddFileSize(archive, file_);
+  SerializeFileSize(archive, file_);
 }
 
 void CsvFile::CheckWritten() const {

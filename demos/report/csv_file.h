@@ -21,7 +21,7 @@ class CsvFile {
   /// @throws std::runtime_error if that fails, as on a full disk.
   void Flush();
 
-  void AddState(StateArchive& archive);
+  void Serialize(StateArchive& archive);
 
  private:
   void CheckWritten() const;

@@ -85,9 +85,9 @@ void NpyFile::Flush() {
   if (!is_counted) Fail();
 }
 
-void NpyFile::AddState(StateArchive& archive) {
+void NpyFile::Serialize(StateArchive& archive) {
   if (!archive.is_reading()) Flush();
-  written_ = AddFileSize(archive, file_) - kHeadSize;
+  written_ = SerializeFileSize(archive, file_) - kHeadSize;
   Flush();
 }
 

@@ -50,7 +50,7 @@ class NpyFile {
     if (timer_.IsDue()) Flush();
   }
 
-  void AddState(StateArchive& archive);
+  void Serialize(StateArchive& archive);
 
  private:
   std::string Head() const;

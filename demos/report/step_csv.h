@@ -35,7 +35,7 @@ class StepCsv {
   /// @throws std::runtime_error if that fails.
   void Flush() { csv_.Flush(); }
 
-  void AddState(StateArchive& archive) { csv_.AddState(archive); }
+  void Serialize(StateArchive& archive) { csv_.Serialize(archive); }
 
  private:
   CsvFile csv_;

@@ -32,6 +32,8 @@ void WriteWholeFile(const std::filesystem::path& file, std::string_view content)
 }
 
 std::string ReadWholeFile(const std::filesystem::path& file) {
+  // A stream opens a folder, and fails with a message that does not name it.
+  if (std::filesystem::is_directory(file)) throw std::runtime_error(file.string() + ": is a folder");
   std::ifstream stream(file, std::ios::binary);
   std::string content{std::istreambuf_iterator<char>(stream), {}};
   if (!stream) throw std::runtime_error(file.string() + ": cannot be read");

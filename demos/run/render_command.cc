@@ -24,8 +24,8 @@ namespace dgd_demos {
 namespace {
 
 struct Picture {
-  std::string name;    // Of its file.
-  std::size_t sample;  // Of the trajectory.
+  std::string name;    // Name of its file.
+  std::size_t sample;  // Number of the sample in the trajectory.
 };
 
 // A trajectory of other bodies would be drawn without a sign of it. Every run's begins where the world does.

@@ -47,7 +47,7 @@ To write your world from your app:
 )";
 
 constexpr const char* kFiles = R"(Written into DIR:
-  builtin.csv, dgd.csv          one row a step; on disk within a tenth of a second, so that a crash leaves the others
+  builtin.csv, dgd.csv          one row a step; on disk within a tenth of a second, so that a crash loses no more
       time_s                          at the end of the step
       kinetic_energy_j, potential_energy_j   at that time; potential energy is 0 on the ground's top
       contacts                        points in all contact manifolds
@@ -101,8 +101,9 @@ void AddOptions(CommandLine& line, RunOptions& options, std::string& narrowphase
   line.AddFlag("--contacts", options.write_contacts, "Write the contacts for NumPy");
   line.AddNumber("--sample-every", "S", options.sample_interval, kSampleInterval,
                  "Simulated time from one sample of these to the next in s, each at the nearest\nstep; 0: every step");
-  line.AddNumber("--checkpoint", "S", options.checkpoint_interval,
-                 "Write the state of the run every S seconds of wall time, and when it ends\nor is stopped");
+  line.AddNumber(
+      "--checkpoint", "S", options.checkpoint_interval,
+      "Write the state of the run every S seconds of wall time, and when it ends\nor is stopped; 0: every step");
   line.AddFlag("--resume", options.resume, "Continue from the checkpoints in DIR; without any, from the beginning");
 }
 

@@ -18,7 +18,7 @@ class TrajectoryFile {
   /// Adds a sample, and now and then flushes.
   void Add(double time, const SimulatedWorld& world);
   void Flush() { file_.Flush(); }
-  void AddState(StateArchive& archive) { file_.AddState(archive); }
+  void Serialize(StateArchive& archive) { file_.Serialize(archive); }
 
  private:
   NpyFile file_;
@@ -36,7 +36,7 @@ class ContactFile {
   /// Adds the points of a sample, and now and then flushes.
   void Add(double time, SimulatedWorld& world);
   void Flush() { file_.Flush(); }
-  void AddState(StateArchive& archive) { file_.AddState(archive); }
+  void Serialize(StateArchive& archive) { file_.Serialize(archive); }
 
  private:
   NpyFile file_;

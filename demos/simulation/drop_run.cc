@@ -61,10 +61,11 @@ StepRecord WorldRun::Step() {
     step.true_penetration = oracle_.DeepestPenetration(input);
     step.unjudged_pairs = oracle_.CountUnjudged(input);
   }
-  tally_.Add(step, world_.Speeds());
+  const std::vector<Motion> motions = world_.Motions();
+  tally_.Add(step, SpeedsOf(motions));
   // Half a step early rather than a whole one late, should the product of number and step round down.
   TakeDueSnapshots(step.time + world_.time_step() / 2);
-  if (const auto lost = world_.FindLostBody()) {
+  if (const auto lost = world_.FindLostBody(motions)) {
     std::ostringstream sentence;
     sentence << *lost << " at " << step.time << " s";
     failure_ = sentence.str();
@@ -74,7 +75,7 @@ StepRecord WorldRun::Step() {
 
 void WorldRun::TakeDueSnapshots(double time) {
   while (snapshots_.size() < settings_.snapshots.size() && settings_.snapshots[snapshots_.size()] <= time) {
-    snapshots_.push_back({settings_.snapshots[snapshots_.size()], world_.Poses(), world_.Speeds()});
+    snapshots_.push_back({settings_.snapshots[snapshots_.size()], world_.Poses(), SpeedsOf(world_.Motions())});
   }
 }
 
@@ -82,26 +83,26 @@ DropRun WorldRun::Result() const {
   DropRun run;
   run.snapshots = snapshots_;
   run.failure = failure_;
-  run.end_state = {time(), world_.Poses(), world_.Speeds()};
+  run.end_state = {time(), world_.Poses(), SpeedsOf(world_.Motions())};
   run.summary = tally_.Summary(run.end_state.poses, wall_time_);
   run.summary.lost_bodies = failure_ ? 1 : 0;
   return run;
 }
 
-void WorldRun::AddState(StateArchive& archive) {
-  tally_.AddState(archive);
-  oracle_.AddState(archive);
-  archive.Add(wall_time_);
-  archive.Add(snapshots_, [&](Snapshot& snapshot) {
-    archive.Add(snapshot.time);
-    archive.Add(snapshot.poses, [&](Pose& pose) {
-      archive.Add(pose.rotation);
-      archive.Add(pose.position);
+void WorldRun::Serialize(StateArchive& archive) {
+  tally_.Serialize(archive);
+  oracle_.Serialize(archive);
+  archive.Serialize(wall_time_);
+  archive.Serialize(snapshots_, [&](Snapshot& snapshot) {
+    archive.Serialize(snapshot.time);
+    archive.Serialize(snapshot.poses, [&](Pose& pose) {
+      archive.Serialize(pose.rotation);
+      archive.Serialize(pose.position);
     });
-    archive.Add(snapshot.speeds, [&](double& speed) { archive.Add(speed); });
+    archive.Serialize(snapshot.speeds, [&](double& speed) { archive.Serialize(speed); });
   });
   std::string failure = failure_.value_or("");
-  archive.Add(failure);
+  archive.Serialize(failure);
   if (!failure.empty()) failure_ = failure;
 }
 

@@ -52,7 +52,7 @@ class WorldRun {
   DropRun Result() const;
 
   /// All but the world's own state. Reading continues a run that was written with the same settings.
-  void AddState(StateArchive& archive);
+  void Serialize(StateArchive& archive);
 
  private:
   void TakeDueSnapshots(double time);

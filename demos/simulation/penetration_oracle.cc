@@ -114,11 +114,11 @@ std::uint64_t PenetrationOracle::KeyOf(const BodyPair& parts) const {
   return static_cast<std::uint64_t>(parts.first) * parts_.size() + static_cast<std::uint64_t>(parts.second);
 }
 
-void PenetrationOracle::AddState(StateArchive& archive) {
+void PenetrationOracle::Serialize(StateArchive& archive) {
   std::vector<std::pair<std::uint64_t, Vector3d>> axes(last_axes_.begin(), last_axes_.end());
-  archive.Add(axes, [&](auto& axis) {
-    archive.Add(axis.first);
-    archive.Add(axis.second);
+  archive.Serialize(axes, [&](auto& axis) {
+    archive.Serialize(axis.first);
+    archive.Serialize(axis.second);
   });
   last_axes_ = {axes.begin(), axes.end()};
 }

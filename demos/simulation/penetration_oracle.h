@@ -69,7 +69,7 @@ class PenetrationOracle {
   int CountUnjudged(const CollisionInput& input) const;
 
   /// The last axes. Depths do not depend on them but in their last bits.
-  void AddState(StateArchive& archive);
+  void Serialize(StateArchive& archive);
 
  private:
   // Of two parts; their indices count those of all bodies, in order.

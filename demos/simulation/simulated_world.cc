@@ -12,21 +12,22 @@ bool IsFinite(const Pose& pose, const Motion& motion) {
 
 }  // namespace
 
-std::vector<double> SimulatedWorld::Speeds() const {
+std::vector<double> SpeedsOf(const std::vector<Motion>& motions) {
   std::vector<double> speeds;
-  for (const Motion& motion : Motions()) speeds.push_back(motion.velocity.norm());
+  speeds.reserve(motions.size());
+  for (const Motion& motion : motions) speeds.push_back(motion.velocity.norm());
   return speeds;
 }
 
-std::optional<std::string> SimulatedWorld::FindLostBody() const {
+std::optional<std::string> SimulatedWorld::FindLostBody(const std::vector<Motion>& motions) const {
   const std::vector<SimulatedBody>& bodies = Bodies();
   const std::vector<Pose> poses = Poses();
-  const std::vector<Motion> motions = Motions();
+  const Eigen::AlignedBox3d room = Room();
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (!bodies[i].moves) continue;
     if (!IsFinite(poses[i], motions[i])) return bodies[i].name + " has a pose or a velocity that is not finite";
     const Eigen::Vector3d& position = poses[i].position;
-    if (Room().contains(position)) continue;
+    if (room.contains(position)) continue;
     std::ostringstream sentence;
     sentence << bodies[i].name << " left the world at (" << position.x() << ", " << position.y() << ", " << position.z()
              << ") m";

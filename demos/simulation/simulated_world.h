@@ -43,16 +43,19 @@ class SimulatedWorld {
   /// narrowphase was given.
   virtual std::vector<BodyPair> OverlappingPairs() const = 0;
   virtual std::vector<Motion> Motions() const = 0;
-  std::vector<double> Speeds() const;  ///< Speeds of the centres of mass, m/s.
   virtual Energy TotalEnergy() const = 0;
 
   /// Box in which the centres of moving bodies are expected, world frame, m.
   virtual Eigen::AlignedBox3d Room() const = 0;
   /// A sentence about the first moving body that has left the room, or has a pose or a velocity that is not finite.
-  std::optional<std::string> FindLostBody() const;
+  /// @param motions  from Motions().
+  std::optional<std::string> FindLostBody(const std::vector<Motion>& motions) const;
 
   /// The world itself, with all of Bullet's objects; their user indices are the bodies'.
   virtual btDynamicsWorld& Bullet() = 0;
 };
+
+/// Speeds of the centres of mass, m/s.
+std::vector<double> SpeedsOf(const std::vector<Motion>& motions);
 
 }  // namespace dgd_demos

@@ -94,15 +94,15 @@ RunSummary Tally::Summary(const std::vector<Pose>& end_poses, double wall_time) 
   return summary;
 }
 
-void Tally::AddState(StateArchive& archive) {
-  archive.Add(initial_energy_);
-  archive.Add(sums_);
-  archive.Add(energy_);
-  archive.Add(least_energy_);
-  archive.Add(sum_of_true_);
-  archive.Add(oracle_steps_);
-  archive.Add(sum_of_squared_speeds_);
-  archive.Add(speeds_);
+void Tally::Serialize(StateArchive& archive) {
+  archive.Serialize(initial_energy_);
+  archive.Serialize(sums_);
+  archive.Serialize(energy_);
+  archive.Serialize(least_energy_);
+  archive.Serialize(sum_of_true_);
+  archive.Serialize(oracle_steps_);
+  archive.Serialize(sum_of_squared_speeds_);
+  archive.Serialize(speeds_);
 }
 
 }  // namespace dgd_demos

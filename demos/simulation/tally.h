@@ -27,7 +27,7 @@ class Tally {
   RunSummary Summary(const std::vector<Pose>& end_poses, double wall_time) const;
 
   /// What was added so far; not what the constructor is given.
-  void AddState(StateArchive& archive);
+  void Serialize(StateArchive& archive);
 
  private:
   void AddEnergy(const StepRecord& step);

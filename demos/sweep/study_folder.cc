@@ -6,6 +6,7 @@
 
 #include "report/output_folder.h"
 #include "report/whole_file.h"
+#include "scene/world_hash.h"
 
 namespace dgd_demos {
 namespace {
@@ -17,7 +18,7 @@ json IdentityOf(const Study& study) {
   json worlds = json::object();
   std::set<std::string> precisions;
   for (const RunSpec& run : study.runs) {
-    if (!worlds.contains(run.world)) worlds[run.world] = HashOf(ReadWholeFile(run.file));
+    if (!worlds.contains(run.world)) worlds[run.world] = HashOfWorld(run.file);
     precisions.insert(run.precision);
   }
   return {{"study", study.document}, {"worlds", worlds}, {"precisions", precisions}, {"runs", study.runs.size()}};

@@ -99,8 +99,8 @@ ExitStatus SweepWith(Workers& workers, const SweepOptions& options) {
     }
     folder.TakeFrom(StudyFolder(other, study));
   }
+  const StopSignals stop_signals;
   if (options.merge.empty()) {
-    CatchStopSignals();
     CarryOut(PendingRuns(study, folder.ReadRecords(), options), workers, folder);
   }
   return Report(study, folder, options);

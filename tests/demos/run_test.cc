@@ -120,6 +120,11 @@ TEST_F(RunTest, KilledAndResumed_LeavesTheFilesOfARunThatWasNot) {
   EXPECT_EQ(other.status, 2);
   EXPECT_EQ(Count(other.output, "builtin.checkpoint: is of a run with seed 1, not 2"), 1) << other.output;
   EXPECT_EQ(Run(resumed + " --record").status, 2);
+  std::filesystem::remove(Path("out/builtin.checkpoint"));
+  std::filesystem::create_directory(Path("out/builtin.checkpoint"));
+  const Outcome folder = Run(resumed);
+  EXPECT_EQ(folder.status, 2);
+  EXPECT_EQ(Count(folder.output, "builtin.checkpoint: is a folder"), 1) << folder.output;
   EXPECT_EQ(Run(run + Path("out") + " --checkpoint -1").status, 2);
 }
 
@@ -143,6 +148,37 @@ TEST_F(RunTest, StoppedRun_LeavesCompleteFilesAndCanBeResumed) {
   const Outcome other = dgd_test::RunProgram("timeout", "--preserve-status " + stop + run + " --precision both");
   EXPECT_EQ(other.status, 130) << other.output;
   EXPECT_EQ(Count(other.output, "Stopped at "), 1) << other.output;
+}
+
+// Two at once would write the same files.
+TEST_F(RunTest, SecondRunInAFolder_IsRefused) {
+  const std::string run = std::string(DGD_TEST_HEADLESS_SIM) + " run " + scene_ +
+                          " --no-snapshots --duration 3000 --narrowphase dgd --out " + Path("out");
+  const Outcome outcome = dgd_test::RunProgram(
+      "sh", "-c '" + run + " 2>/dev/null & first=$!; sleep 0.5; " + run + "; echo status $?; kill $first; wait'");
+  EXPECT_EQ(Count(outcome.output, "out: another process writes its results there\nstatus 2\n"), 1) << outcome.output;
+}
+
+// A scene is not the same with another mesh.
+TEST_F(RunTest, MeshChangedSinceTheCheckpoint_IsRefused) {
+  const auto write_mesh = [&](const std::string& height) {
+    folder_.Write("tetrahedron.obj",
+                  "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 " + height + "\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  };
+  write_mesh("1");
+  std::string text = ValidSceneText();
+  const std::size_t start = text.find("{ \"type\"");
+  text.replace(start, text.find("}\n  ]") + 1 - start,
+               R"({ "type": "mesh", "file": "tetrahedron.obj", "mass": 1, "position": [0, 0, 1] })");
+  const std::string run = "run " + folder_.Write("mesh.json", text).string() +
+                          " --no-snapshots --duration 0.1 --checkpoint 0 --resume --out " + Path("out");
+  ASSERT_EQ(Run(run).status, 0) << Run(run).output;
+  EXPECT_EQ(Run(run).status, 0);
+  write_mesh("1.1");
+  const Outcome changed = Run(run);
+  EXPECT_EQ(changed.status, 2);
+  EXPECT_EQ(Count(changed.output, "builtin.checkpoint: is of a run with hash of the world's files "), 1)
+      << changed.output;
 }
 
 TEST_F(RunTest, BothPrecisions_HaveAFolderEach) {

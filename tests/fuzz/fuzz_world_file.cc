@@ -144,7 +144,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::size_t bodies = checked.bodies.size() + checked.objects.size() + checked.colliders.size();
     dgd_demos::ImportedWorld world(std::move(checked), dgd_demos::Narrowphase::kDgd);
     if (world.Bodies().size() != bodies) Fail("a world with other bodies than its file has");
-    for (int step = 0; step < kSteps && !world.FindLostBody(); ++step) world.Step();
+    for (int step = 0; step < kSteps && !world.FindLostBody(world.Motions()); ++step) world.Step();
     world.TotalEnergy();
     world.OverlappingPairs();
   } catch (const dgd_demos::SceneError& error) {

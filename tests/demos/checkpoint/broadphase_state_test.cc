@@ -66,9 +66,9 @@ class CrowdedWorld {
     return order;
   }
 
-  void AddState(StateArchive& archive) {
-    AddBroadphase(archive, broadphase_, world_.getCollisionObjectArray());
-    AddContacts(archive, world_);
+  void Serialize(StateArchive& archive) {
+    SerializeBroadphase(archive, broadphase_, world_.getCollisionObjectArray());
+    SerializeContacts(archive, world_);
   }
 
  private:
@@ -102,12 +102,12 @@ TEST(BroadphaseStateTest, Read_FindsTheSamePairsInTheSameOrder) {
   CrowdedWorld world;
   for (int step = 0; step <= kCheckpoint; ++step) world.DetectAt(time_of(step));
   StateArchive written;
-  world.AddState(written);
+  world.Serialize(written);
 
   CrowdedWorld again;
   again.MoveTo(time_of(kCheckpoint));
   StateArchive archive(written.bytes(), "state");
-  again.AddState(archive);
+  again.Serialize(archive);
   archive.ExpectEnd();
   for (int step = kCheckpoint + 1; step <= kSteps; ++step) {
     const PairOrder order = world.DetectAt(time_of(step));

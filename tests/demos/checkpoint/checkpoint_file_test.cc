@@ -21,15 +21,15 @@ class CheckpointFileTest : public testing::Test {
  protected:
   CheckpointFileTest() : file_(folder_.path() / "a.checkpoint") {
     StateArchive archive;
-    AddValues(archive);
+    SerializeValues(archive);
     WriteCheckpoint(file_, kRun, archive);
   }
 
-  void AddValues(StateArchive& archive) {
-    archive.Add(number_);
-    archive.Add(text_);
-    archive.Add(list_, [&](int& element) { archive.Add(element); });
-    archive.Add(vector_);
+  void SerializeValues(StateArchive& archive) {
+    archive.Serialize(number_);
+    archive.Serialize(text_);
+    archive.Serialize(list_, [&](int& element) { archive.Serialize(element); });
+    archive.Serialize(vector_);
   }
 
   std::string Complaint(const nlohmann::json& run = kRun) {
@@ -56,13 +56,13 @@ TEST_F(CheckpointFileTest, Values_AreReadBack) {
   vector_.setZero();
   std::optional<StateArchive> archive = ReadCheckpoint(file_, kRun);
   ASSERT_TRUE(archive);
-  AddValues(*archive);
+  SerializeValues(*archive);
   archive->ExpectEnd();
   EXPECT_EQ(number_, 0.1);
   EXPECT_EQ(text_, "a\n\0b");
   EXPECT_EQ(list_, (std::vector<int>{3, 4, 5}));
   EXPECT_EQ(vector_, Eigen::Vector3d(1, 2, 3));
-  EXPECT_THROW(archive->Add(number_), std::runtime_error) << "nothing is left";
+  EXPECT_THROW(archive->Serialize(number_), std::runtime_error) << "nothing is left";
 }
 
 TEST_F(CheckpointFileTest, FileThatIsNotThere_IsNoCheckpoint) {
@@ -91,23 +91,23 @@ TEST_F(CheckpointFileTest, EveryDamage_IsRefused) {
 TEST_F(CheckpointFileTest, ListThatDoesNotFit_IsRefusedBeforeItIsMade) {
   StateArchive written;
   std::uint64_t count = std::uint64_t(1) << 60;
-  written.Add(count);
+  written.Serialize(count);
   StateArchive archive(written.bytes(), "place");
-  EXPECT_THROW(AddValues(archive), std::runtime_error);
+  EXPECT_THROW(SerializeValues(archive), std::runtime_error);
 }
 
 TEST_F(CheckpointFileTest, ContinuedFile_IsCutBack) {
   const std::filesystem::path file = folder_.Write("rows.csv", "one\n");
   StateArchive written;
-  EXPECT_EQ(AddFileSize(written, file), 4U);
+  EXPECT_EQ(SerializeFileSize(written, file), 4U);
   std::ofstream(file, std::ios::app) << "two\n";
   StateArchive archive(written.bytes(), "place");
-  EXPECT_EQ(AddFileSize(archive, file), 4U);
+  EXPECT_EQ(SerializeFileSize(archive, file), 4U);
   EXPECT_EQ(ReadWholeFile(file), "one\n");
 
   folder_.Write("rows.csv", "o");
   StateArchive again(written.bytes(), "place");
-  EXPECT_THROW(AddFileSize(again, file), std::runtime_error) << "what is missing cannot be made up for";
+  EXPECT_THROW(SerializeFileSize(again, file), std::runtime_error) << "what is missing cannot be made up for";
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ TEST_P(WorldStateTest, Read_GoesOnToTheLastBit) {
     states.push_back(StateOf(*world));
     if (std::ranges::count(checkpoints, step) == 0) continue;
     StateArchive archive;
-    AddWorld(archive, world->Bullet(), std::move(collision_poses));
+    SerializeWorld(archive, world->Bullet(), std::move(collision_poses));
     saved.push_back(archive.bytes());
   }
 
@@ -71,7 +71,7 @@ TEST_P(WorldStateTest, Read_GoesOnToTheLastBit) {
     SCOPED_TRACE(checkpoints[i]);
     const std::unique_ptr<ImportedWorld> again = Load();
     StateArchive archive(saved[i], "state");
-    AddWorld(archive, again->Bullet(), {});
+    SerializeWorld(archive, again->Bullet(), {});
     archive.ExpectEnd();
     for (int step = checkpoints[i];; ++step) {
       ASSERT_EQ(StateOf(*again), states[static_cast<std::size_t>(step) - 1]) << "after step " << step;
@@ -97,9 +97,9 @@ TEST(WorldStateTest, StateOfAnotherWorld_IsRefused) {
   std::vector<btTransform> collision_poses = PosesOf(boxes->Bullet());
   boxes->Step();
   StateArchive written;
-  AddWorld(written, boxes->Bullet(), collision_poses);
+  SerializeWorld(written, boxes->Bullet(), collision_poses);
   StateArchive archive(written.bytes(), "state");
-  EXPECT_THROW(AddWorld(archive, chain->Bullet(), {}), std::runtime_error);
+  EXPECT_THROW(SerializeWorld(archive, chain->Bullet(), {}), std::runtime_error);
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ TEST(WorldViewTest, Up_IsOppositeGravity) {
     const WorldView view = ViewOf(*world);
     EXPECT_LT((view.world_to_view * up - Vector3d::UnitZ()).norm(), 1e-6);
     EXPECT_NEAR(view.world_to_view.determinant(), 1, 1e-9) << "mirrored";
-    const Snapshot state = InView(view, {0, world->Poses(), world->Speeds()});
+    const Snapshot state = InView(view, {0, world->Poses(), SpeedsOf(world->Motions())});
     EXPECT_LT((state.poses[1].position - Vector3d(0, 0, 3)).norm(), 1e-5);
     EXPECT_EQ(view.bodies[0].role, Role::kFloor);
     ASSERT_EQ(BallsAround(view.bodies, state).size(), 1u);

@@ -36,7 +36,7 @@ TEST(WriteWorldTest, Scene_IsReadAsItWas) {
     EXPECT_EQ(read_poses[i].position, poses[i].position);
     EXPECT_EQ(read_poses[i].rotation, poses[i].rotation);
   }
-  EXPECT_EQ(read.Speeds(), original.Speeds());
+  EXPECT_EQ(SpeedsOf(read.Motions()), SpeedsOf(original.Motions()));
   EXPECT_NEAR(read.TotalEnergy().kinetic, original.TotalEnergy().kinetic, 1e-5);
   EXPECT_NEAR(read.TotalEnergy().potential, original.TotalEnergy().potential, 1e-4);
 }
