@@ -66,6 +66,7 @@ Bullet that finds contacts by the growth distance, and of its solver.")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME dgd-bullet-tools)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "libdgd-bullet0.1 (= ${version})")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_RECOMMENDS libosmesa6) # Loaded when a picture is drawn.
 set(CPACK_COMPONENT_TOOLS_DESCRIPTION
     "growth distance as the narrowphase of Bullet - programs and scenes
 dgd-bullet-run runs a program that uses Bullet's shared libraries on the

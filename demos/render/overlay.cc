@@ -1,9 +1,5 @@
 #include "render/overlay.h"
 
-#define GL_GLEXT_PROTOTYPES
-#include <GL/gl.h>
-#include <GL/glext.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +8,7 @@
 #include <vector>
 
 #include "render/colour_space.h"
+#include "render/gl.h"
 #include "render/shaders.h"
 #include "render/stroke_font.h"
 

@@ -1,9 +1,5 @@
 #include "render/scene_renderer.h"
 
-#define GL_GLEXT_PROTOTYPES
-#include <GL/gl.h>
-#include <GL/glext.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -13,6 +9,7 @@
 #include <utility>
 
 #include "render/colour_space.h"
+#include "render/gl.h"
 #include "render/light_samples.h"
 #include "render/off_screen.h"
 #include "render/shaders.h"

@@ -1,11 +1,9 @@
 #include "render/shaders.h"
 
-#define GL_GLEXT_PROTOTYPES
-#include <GL/gl.h>
-#include <GL/glext.h>
-
 #include <array>
 #include <stdexcept>
+
+#include "render/gl.h"
 
 namespace dgd_demos {
 namespace {
