@@ -72,10 +72,10 @@ void WritePictures(const PlanRun& run, const CollisionModel& model, const std::f
 
 void WriteComparison(const std::vector<CheckTimes>& times, const std::filesystem::path& file) {
   CsvFile csv(file);
-  csv.stream() << "checker,seconds,pairs,differing,beyond_band\n";
+  csv << "checker,seconds,pairs,differing,beyond_band\n";
   for (const CheckTimes& row : times) {
-    csv.stream() << '"' << row.name << "\"," << row.seconds << ',' << row.pairs << ',' << row.differing << ','
-                 << row.beyond_band << '\n';
+    csv << '"' << row.name << "\"," << row.seconds << ',' << row.pairs << ',' << row.differing << ',' << row.beyond_band
+        << '\n';
   }
   csv.Flush();
 }

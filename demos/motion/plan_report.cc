@@ -159,36 +159,36 @@ std::string FormatComparison(const std::vector<CheckTimes>& times) {
 }
 
 RunsCsv::RunsCsv(const std::filesystem::path& file) : csv_(file) {
-  csv_.stream() << "seed,has_plan";
-  for (const PlanFigure& figure : kFigures) csv_.stream() << ',' << figure.key;
-  csv_.stream() << '\n';
+  csv_ << "seed,has_plan";
+  for (const PlanFigure& figure : kFigures) csv_ << ',' << figure.key;
+  csv_ << '\n';
   csv_.Flush();
 }
 
 void RunsCsv::Write(const PlanRun& run) {
-  csv_.stream() << run.seed << ',' << (run.failure ? 0 : 1);
+  csv_ << run.seed << ',' << (run.failure ? 0 : 1);
   for (const PlanFigure& figure : kFigures) {
-    csv_.stream() << ',';
-    if (!run.failure) csv_.stream() << figure.value(run);
+    csv_ << ',';
+    if (!run.failure) csv_ << figure.value(run);
   }
-  csv_.stream() << '\n';
+  csv_ << '\n';
   csv_.Flush();
 }
 
 void WritePathCsv(const std::filesystem::path& file, const CollisionModel& model, const JointPath& path) {
   CsvFile csv(file);
-  csv.stream() << "place_rad";
-  for (const Joint& joint : model.arm().joints) csv.stream() << ',' << joint.name << "_rad";
-  csv.stream() << ",flange_x_m,flange_y_m,flange_z_m,clearance_m\n";
+  csv << "place_rad";
+  for (const Joint& joint : model.arm().joints) csv << ',' << joint.name << "_rad";
+  csv << ",flange_x_m,flange_y_m,flange_z_m,clearance_m\n";
   double place = 0;
   PlaneCache planes(model);
   for (std::size_t i = 0; i < path.size(); ++i) {
     if (i > 0) place += (path[i] - path[i - 1]).norm();
-    csv.stream() << place;
-    for (const double angle : path[i]) csv.stream() << ',' << angle;
+    csv << place;
+    for (const double angle : path[i]) csv << ',' << angle;
     const Eigen::Vector3d flange = FlangePose(model.arm(), path[i]).position;
-    csv.stream() << ',' << flange.x() << ',' << flange.y() << ',' << flange.z() << ','
-                 << LeastSignedDistance(model, {path[i]}, 1, planes) << '\n';
+    csv << ',' << flange.x() << ',' << flange.y() << ',' << flange.z() << ','
+        << LeastSignedDistance(model, {path[i]}, 1, planes) << '\n';
   }
   csv.Flush();
 }

@@ -74,13 +74,13 @@ std::string FormatTable(const std::vector<TableColumn>& columns) {
 
 void WriteTableCsv(const std::filesystem::path& file, const std::vector<TableColumn>& columns) {
   CsvFile csv(file);
-  csv.stream() << "figure";
-  for (const TableColumn& column : columns) csv.stream() << ',' << column.narrowphase;
-  csv.stream() << '\n';
+  csv << "figure";
+  for (const TableColumn& column : columns) csv << ',' << column.narrowphase;
+  csv << '\n';
   for (std::size_t i = 0; i < Figures().size(); ++i) {
-    csv.stream() << Figures()[i].key;
-    for (const TableColumn& column : columns) csv.stream() << ',' << FigureOf(i, column.runs).value;
-    csv.stream() << '\n';
+    csv << Figures()[i].key;
+    for (const TableColumn& column : columns) csv << ',' << FigureOf(i, column.runs).value;
+    csv << '\n';
   }
   csv.Flush();
 }

@@ -19,7 +19,8 @@ struct TableColumn {
 /// interquartile range (IQR); each column after the first, by its quotient by the first.
 std::string FormatTable(const std::vector<TableColumn>& columns);
 
-/// The same figures for programs: one line a row, 17 significant digits, and the key of each row in place of its title.
+/// The same figures for programs: one line a row, numbers that read back to the bit, and the key of each row in place
+/// of its title.
 /// @throws std::runtime_error if the file cannot be written.
 void WriteTableCsv(const std::filesystem::path& file, const std::vector<TableColumn>& columns);
 

@@ -6,20 +6,19 @@ namespace dgd_demos {
 
 void WriteExecutionCsv(const std::filesystem::path& file, const Arm& arm, const std::vector<ExecutionStep>& steps) {
   CsvFile csv(file);
-  std::ostream& stream = csv.stream();
-  stream << "time_s,tracking_error_m,flange_x_m,flange_y_m,flange_z_m,contacts";
+  csv << "time_s,tracking_error_m,flange_x_m,flange_y_m,flange_z_m,contacts";
   for (const Joint& joint : arm.joints) {
-    stream << ',' << joint.name << "_planned_rad," << joint.name << "_rad," << joint.name << "_rad_s," << joint.name
-           << "_nm";
+    csv << ',' << joint.name << "_planned_rad," << joint.name << "_rad," << joint.name << "_rad_s," << joint.name
+        << "_nm";
   }
-  stream << '\n';
+  csv << '\n';
   for (const ExecutionStep& step : steps) {
-    stream << step.time << ',' << step.tracking_error << ',' << step.flange.x() << ',' << step.flange.y() << ','
-           << step.flange.z() << ',' << step.contacts;
+    csv << step.time << ',' << step.tracking_error << ',' << step.flange.x() << ',' << step.flange.y() << ','
+        << step.flange.z() << ',' << step.contacts;
     for (Eigen::Index i = 0; i < step.angles.size(); ++i) {
-      stream << ',' << step.planned[i] << ',' << step.angles[i] << ',' << step.velocities[i] << ',' << step.efforts[i];
+      csv << ',' << step.planned[i] << ',' << step.angles[i] << ',' << step.velocities[i] << ',' << step.efforts[i];
     }
-    stream << '\n';
+    csv << '\n';
   }
   csv.Flush();
 }

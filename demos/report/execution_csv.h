@@ -10,7 +10,7 @@
 namespace dgd_demos {
 
 /// Creates or overwrites the file. Of each step: time, tracking error, flange, pairs in contact; and of each joint, by
-/// its name, planned angle, angle, velocity and effort. Numbers have 17 significant digits.
+/// its name, planned angle, angle, velocity and effort. Numbers read back to the bit.
 /// @throws std::runtime_error if the file cannot be written.
 void WriteExecutionCsv(const std::filesystem::path& file, const Arm& arm, const std::vector<ExecutionStep>& steps);
 

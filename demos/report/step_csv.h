@@ -20,7 +20,7 @@ struct RunInfo {
   std::string build_type;
 };
 
-/// Numbers have 17 significant digits, so that two runs are equal to the bit exactly if their files are, but for the
+/// Numbers read back to the bit: two runs are equal to the bit exactly if their files are, but for the
 /// measured narrowphase_us.
 class StepCsv {
  public:

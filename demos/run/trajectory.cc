@@ -64,10 +64,10 @@ void ContactFile::Add(double time, SimulatedWorld& world) {
 
 void WriteBodyList(const std::filesystem::path& file, const SimulatedWorld& world) {
   CsvFile csv(file);
-  csv.stream() << "body,name,moves\n";
+  csv << "body,name,moves\n";
   const std::vector<SimulatedBody>& bodies = world.Bodies();
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    csv.stream() << i << ",\"" << bodies[i].name << "\"," << (bodies[i].moves ? 1 : 0) << '\n';
+    csv << i << ",\"" << bodies[i].name << "\"," << (bodies[i].moves ? 1 : 0) << '\n';
   }
   csv.Flush();
 }

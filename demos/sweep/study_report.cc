@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <limits>
 #include <sstream>
 #include <vector>
 
 #include "report/comparison_table.h"
+#include "report/csv_file.h"
 
 namespace dgd_demos {
 namespace {
@@ -90,7 +89,7 @@ std::string Plural(std::size_t count, const char* noun) {
 
 std::string StudyCsv(const Study& study, const std::map<int, RunRecord>& records) {
   std::ostringstream csv;
-  csv << std::setprecision(std::numeric_limits<double>::max_digits10) << "run,world";
+  csv << "run,world";
   for (const std::string& path : study.varied) csv << ',' << Quoted(path);
   csv << ",seed,narrowphase,precision,build_type,status,message";
   for (const Figure& figure : Figures()) csv << ',' << figure.key;
@@ -103,7 +102,7 @@ std::string StudyCsv(const Study& study, const std::map<int, RunRecord>& records
         << NameOf(record.status) << ',' << Quoted(record.message);
     for (std::size_t i = 0; i < Figures().size(); ++i) {
       csv << ',';
-      if (i < record.figures.size() && std::isfinite(record.figures[i])) csv << record.figures[i];
+      if (i < record.figures.size() && std::isfinite(record.figures[i])) csv << TextOf(record.figures[i]);
     }
     csv << '\n';
   }
@@ -116,7 +115,9 @@ std::string StudyTables(const Study& study, const std::map<int, RunRecord>& reco
     std::erase_if(group.columns, [](const TableColumn& column) { return column.runs.empty(); });
     std::size_t most = 0;
     for (const TableColumn& column : group.columns) most = std::max(most, column.runs.size());
-    text += group.title + ", " + (most == 1 ? "one run" : "median of " + Plural(most, "run"));
+    text += group.title;
+    if (most == 1) text += ", one run";
+    if (most > 1) text += ", median of " + Plural(most, "run");
     if (group.missing > 0) text += ", " + Plural(group.missing, "run") + " not done yet";
     text += "\n";
     const std::string legend = ShortenNames(group.columns);

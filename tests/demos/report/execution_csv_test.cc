@@ -26,7 +26,7 @@ TEST(ExecutionCsv, HasARowAStepAndFourColumnsAJoint) {
   step.contacts = 2;
   const TestFolder folder;
   WriteExecutionCsv(folder.path() / "execution.csv", arm, {step, step});
-  const std::string row = "0.25,0.10000000000000001,0.5,-1,1.5,2,1,3,5,7,2,4,6,8.5\n";
+  const std::string row = "0.25,0.1,0.5,-1,1.5,2,1,3,5,7,2,4,6,8.5\n";
   EXPECT_EQ(ReadFile(folder.path() / "execution.csv"),
             "time_s,tracking_error_m,flange_x_m,flange_y_m,flange_z_m,contacts,hip_planned_rad,hip_rad,hip_rad_s,"
             "hip_nm,knee_planned_rad,knee_rad,knee_rad_s,knee_nm\n" +
