@@ -2,6 +2,7 @@
 
 #include <dgd_bullet/collision_configuration.h>
 #include <dgd_bullet/option_text.h>
+#include <dgd_bullet/register.h>
 
 #include <stdexcept>
 #include <type_traits>
@@ -19,7 +20,7 @@ NarrowphaseChoice NarrowphaseChoice::Named(std::string_view name) {
   }
   NarrowphaseChoice choice = Narrowphase::kDgd;
   if (colon != name.npos) choice.options = name.substr(colon + 1);
-  MakeCollisionConfiguration(choice);
+  dgd_bullet::MakeNarrowphase(dgd_bullet::ParseOptions(choice.options));
   return choice;
 }
 
