@@ -12,7 +12,7 @@ namespace {
 using nlohmann::json;
 
 // The file: this line, the hash of what follows, a line of JSON, the state's bytes.
-const std::string kMagic = "dgd-bullet checkpoint 1\n";
+const std::string kMagic = "dgd-bullet checkpoint 2\n";
 
 constexpr const char* kStartsOver = "; without --resume, the run starts from the beginning";
 

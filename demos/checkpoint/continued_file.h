@@ -13,10 +13,12 @@ enum class OpenMode {
   kContinue,  ///< Leaves it as it is, until Serialize() cuts off what was written after the checkpoint.
 };
 
-/// Writing: waits until the file is on the disk, and adds its size. Reading: cuts the file to that size.
+/// Writing: waits until the file is on the disk, and adds its size and a hash of its end. Reading: cuts the file to
+/// that size.
 /// @param file  all of which has been handed to the operating system.
+/// @param head  so many bytes at the file's beginning are written again as it grows.
 /// @return the size, bytes.
-/// @throws std::runtime_error if the file is missing or shorter than that.
-std::uint64_t SerializeFileSize(StateArchive& archive, const std::filesystem::path& file);
+/// @throws std::runtime_error if the file is missing, shorter than that, or ends otherwise.
+std::uint64_t SerializeFileSize(StateArchive& archive, const std::filesystem::path& file, std::uint64_t head = 0);
 
 }  // namespace dgd_demos

@@ -21,7 +21,7 @@ NpyFile::NpyFile(const std::filesystem::path& file, std::vector<Column> columns,
     : file_(file), columns_(std::move(columns)), rows_of_a_record_(rows_of_a_record) {
   for (const Column& column : columns_) row_size_ += kNumberSize * static_cast<std::size_t>(column.size);
   stream_ = std::fopen(file.c_str(), mode == OpenMode::kCreate ? "wb" : "r+b");
-  if (stream_ == nullptr) Fail();
+  if (stream_ == nullptr) Fail(mode == OpenMode::kCreate ? "written" : "continued");
   if (mode == OpenMode::kCreate) Flush();
 }
 
@@ -87,12 +87,12 @@ void NpyFile::Flush() {
 
 void NpyFile::Serialize(StateArchive& archive) {
   if (!archive.is_reading()) Flush();
-  written_ = SerializeFileSize(archive, file_) - kHeadSize;
+  written_ = SerializeFileSize(archive, file_, kHeadSize) - kHeadSize;
   Flush();
 }
 
-void NpyFile::Fail() const {
-  throw std::runtime_error(file_.string() + ": cannot be written: " + std::strerror(errno));
+void NpyFile::Fail(const char* action) const {
+  throw std::runtime_error(file_.string() + ": cannot be " + action + ": " + std::strerror(errno));
 }
 
 }  // namespace dgd_demos

@@ -54,7 +54,7 @@ class NpyFile {
 
  private:
   std::string Head() const;
-  [[noreturn]] void Fail() const;
+  [[noreturn]] void Fail(const char* action = "written") const;
 
   std::filesystem::path file_;
   std::vector<Column> columns_;

@@ -12,12 +12,17 @@
 #include <string>
 
 namespace dgd_demos {
+namespace {
+
+constexpr const char* kPartExtension = ".part";
+
+}  // namespace
 
 void WriteWholeFile(const std::filesystem::path& file, std::string_view content) {
   // Processes of several machines may write the same file at once.
   char host[256] = {};
   gethostname(host, sizeof host - 1);
-  const std::string part = file.string() + "." + host + "." + std::to_string(getpid()) + ".part";
+  const std::string part = file.string() + "." + host + "." + std::to_string(getpid()) + kPartExtension;
   const auto fail = [&] {
     const std::string reason = std::strerror(errno);
     std::remove(part.c_str());
@@ -29,6 +34,18 @@ void WriteWholeFile(const std::filesystem::path& file, std::string_view content)
                           std::fflush(stream) == 0 && fsync(fileno(stream)) == 0;
   const bool is_closed = std::fclose(stream) == 0;
   if (!is_written || !is_closed || std::rename(part.c_str(), file.c_str()) != 0) fail();
+}
+
+void RemoveParts(const std::filesystem::path& file) {
+  std::error_code error;  // What cannot be removed is in nobody's way.
+  for (std::filesystem::directory_iterator entry(file.parent_path(), error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::filesystem::path& path = entry->path();
+    std::error_code ignored;
+    if (path.extension() == kPartExtension && path.filename().string().starts_with(file.filename().string() + ".")) {
+      std::filesystem::remove(path, ignored);
+    }
+  }
 }
 
 std::string ReadWholeFile(const std::filesystem::path& file) {

@@ -13,6 +13,10 @@ namespace dgd_demos {
 /// @throws std::runtime_error with the file and the reason, as on a full disk; the file is then as it was.
 void WriteWholeFile(const std::filesystem::path& file, std::string_view content);
 
+/// Removes what writers of the file have left that died.
+/// @pre nobody is writing it.
+void RemoveParts(const std::filesystem::path& file);
+
 /// @return the file's bytes.
 /// @throws std::runtime_error if it cannot be read.
 std::string ReadWholeFile(const std::filesystem::path& file);

@@ -9,6 +9,7 @@
 #include "checkpoint/checkpoint_file.h"
 #include "checkpoint/world_state.h"
 #include "report/progress_bar.h"
+#include "report/whole_file.h"
 #include "scene/world_hash.h"
 #include "stop_signals.h"
 
@@ -21,17 +22,17 @@ using Clock = std::chrono::steady_clock;
 nlohmann::json IdentityOf(const RunOptions& options, const WorldSource& source, const NarrowphaseChoice& narrowphase,
                           const SimulatedWorld& world) {
   return {{"hash of the world's files", HashOfWorld(options.world)},
-          {"seed", options.seed},
+          {"--seed", options.seed},
           {"narrowphase", narrowphase.Name()},
           {"precision", BulletPrecision()},
           {"Bullet's version", btGetVersion()},
           {"size of a contact point", sizeof(btManifoldPoint)},
           {"duration", source.duration()},
           {"time step", world.time_step()},
-          {"oracle every", options.oracle_every},
-          {"trajectory", options.write_trajectory},
-          {"contacts", options.write_contacts},
-          {"sample every", options.sample_interval}};
+          {"--oracle-every", options.oracle_every},
+          {"--trajectory", options.write_trajectory},
+          {"--contacts", options.write_contacts},
+          {"--sample-every", options.sample_interval}};
 }
 
 }  // namespace
@@ -75,6 +76,7 @@ RecordedRun::RecordedRun(const WorldSource& source, const NarrowphaseChoice& nar
       csv_(options.out / (name_ + ".csv"),
            {options.world.string(), options.seed, narrowphase.Name(), BulletPrecision(), DGD_DEMOS_BUILD_TYPE}, mode_),
       samples_(options, name_, *world_, mode_) {
+  RemoveParts(checkpoint_file_);
   if (options.record) recorder_.emplace((options.out / (name_ + ".rec")).string());
   run_.emplace(*world_, RunSettings{duration_, options.oracle_every, source.snapshots()},
                recorder_ ? &*recorder_ : nullptr);

@@ -110,5 +110,32 @@ TEST_F(CheckpointFileTest, ContinuedFile_IsCutBack) {
   EXPECT_THROW(SerializeFileSize(again, file), std::runtime_error) << "what is missing cannot be made up for";
 }
 
+TEST_F(CheckpointFileTest, ContinuedFile_MustEndAsItDid) {
+  const std::string row(1000, 'x');
+  std::string rows;
+  for (int i = 0; i < 100; ++i) rows += row;
+  const std::filesystem::path file = folder_.Write("rows.npy", "head 1\n" + rows);
+  StateArchive written;
+  SerializeFileSize(written, file, 7);
+  folder_.Write("rows.npy", "head 2\n" + rows + row);
+  StateArchive longer(written.bytes(), "place");
+  EXPECT_EQ(SerializeFileSize(longer, file, 7), 7 + rows.size()) << "the head counts more rows now";
+
+  rows[rows.size() - 60'000] = 'y';
+  folder_.Write("rows.npy", "head 2\n" + rows + row);
+  StateArchive another(written.bytes(), "place");
+  EXPECT_THROW(SerializeFileSize(another, file, 7), std::runtime_error);
+  EXPECT_EQ(std::filesystem::file_size(file), 7 + rows.size() + row.size()) << "a file that is refused stays whole";
+}
+
+TEST_F(CheckpointFileTest, PartsOfWritersThatDied_AreRemoved) {
+  const std::filesystem::path part = folder_.Write("a.checkpoint.host.12.part", "half of it");
+  const std::filesystem::path other = folder_.Write("b.checkpoint.host.12.part", "another file's");
+  RemoveParts(file_);
+  EXPECT_FALSE(std::filesystem::exists(part));
+  EXPECT_TRUE(std::filesystem::exists(other));
+  EXPECT_EQ(Complaint(), "");
+}
+
 }  // namespace
 }  // namespace dgd_demos
