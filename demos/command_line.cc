@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <limits>
+#include <sstream>
 
 #include "seed_option.h"
 
@@ -15,17 +16,20 @@ CLI::Validator Silent(Check check) {
   return check.description("");
 }
 
+// CLI's own check of a range lets NaN pass, and what is empty where a value is optional.
 template <class Number>
 CLI::Validator Within(const Limits<Number>& limits) {
-  // CLI's range has NaN in it.
-  const CLI::Validator is_number(
-      [](std::string& text) {
+  return CLI::Validator(
+      [limits](std::string& text) {
         Number value{};
-        const bool is_one = CLI::detail::lexical_cast(text, value) && value == value;
-        return is_one ? std::string() : "Value " + text + " is no number";
+        if (!CLI::detail::lexical_cast(text, value) || value != value) return "'" + text + "' is no number";
+        std::ostringstream complaint;
+        if (value < limits.least || value > limits.most) {
+          complaint << "must be from " << limits.least << " to " << limits.most << ", not " << text;
+        }
+        return complaint.str();
       },
       "");
-  return Silent(CLI::Range(limits.least, limits.most) & is_number);
 }
 
 template <class Value>
@@ -83,8 +87,8 @@ void CommandLine::AddNumbers(const std::string& name, const std::string& kind, s
 }
 
 void CommandLine::AddNumber(const std::string& name, const std::string& kind, std::optional<double>& value,
-                            const std::string& help) {
-  parser_->Add(name, kind, value, help);
+                            const Limits<double>& limits, const std::string& help) {
+  parser_->Add(name, kind, value, help).check(Within(limits));
 }
 
 void CommandLine::AddIndex(const std::string& name, std::optional<int>& index, const std::string& help) {

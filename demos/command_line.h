@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +19,10 @@ template <class Number>
 struct Limits {
   Number least, most;
 };
+
+/// For values that are checked together with others.
+inline constexpr Limits<double> kAnyNumber = {std::numeric_limits<double>::lowest(),
+                                              std::numeric_limits<double>::max()};
 
 /// Options are added with the place of their value, which is the default, and must be there until after Parse(). What
 /// --help calls a value's kind is `kind`: "N", "FILE".
@@ -36,9 +41,9 @@ class CommandLine {
   /// Some numbers, with commas or spaces between them.
   void AddNumbers(const std::string& name, const std::string& kind, std::vector<double>& values,
                   const Limits<double>& limits, const std::string& help);
-  /// Any number, or nothing.
+  /// A number, or nothing if the option is not given.
   void AddNumber(const std::string& name, const std::string& kind, std::optional<double>& value,
-                 const std::string& help);
+                 const Limits<double>& limits, const std::string& help);
   /// The index of a case, from 0, or nothing.
   void AddIndex(const std::string& name, std::optional<int>& index, const std::string& help);
   /// --seed: a whole 64-bit number.

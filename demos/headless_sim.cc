@@ -14,12 +14,14 @@
 #include "run/render_command.h"
 #include "run/run_command.h"
 #include "scene/json_reader.h"
+#include "scene/scene_error.h"
 #include "scene_options.h"
 #include "sibling_program.h"
 #include "simulation/narrowphase.h"
 #include "stop_signals.h"
 #include "sweep/run_one.h"
 #include "sweep/sweep_command.h"
+#include "world_file/bullet_file.h"
 
 namespace dgd_demos {
 namespace {
@@ -46,7 +48,8 @@ int Help(std::FILE* stream, int status) {
 struct ListOptions {};
 
 std::variant<ListOptions, ExitStatus> ParseListOptions(int argc, const char* const* argv) {
-  CommandLine line("headless_sim list", "Lists the scenes that come with this program, for `run` and `export`.", "");
+  CommandLine line("headless_sim list",
+                   "Lists the scenes that come with this program, by the names that its other commands take.", "");
   if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
   return ListOptions{};
 }
@@ -59,8 +62,10 @@ ExitStatus List(const ListOptions&) {
   }
   std::ranges::sort(files);
   for (const std::filesystem::path& file : files) {
-    const std::string about = ParseJsonFile(file).value("about", "");
-    std::printf("%-24s%s\n", file.stem().c_str(), about.substr(0, about.find(". ")).c_str());
+    const nlohmann::json scene = ParseJsonFile(file);
+    const std::string about = scene.value("about", "");
+    std::printf("%-24s%s%s\n", file.stem().c_str(), scene.contains("arms") ? "For plan_motion: " : "",
+                about.substr(0, about.find(". ")).c_str());
   }
   return kSuccess;
 }
@@ -73,6 +78,11 @@ ExitStatus One(const std::string& spec) {
 
 // Runs the world by the program of each precision requested, into a folder of its own if there are two.
 int RunBySiblings(const RunOptions& options, const std::vector<std::string>& arguments) {
+  if (options.precision == "both" && IsWorldFile(options.world)) {
+    const std::string precision = NameOf(ReadBulletFile(options.world).precision);
+    throw SceneError(options.world.string() + ": was written by a Bullet in " + precision +
+                     " and runs in that alone; --precision must be " + precision);
+  }
   const StopSignals stop_signals;
   int worst = kSuccess;
   for (const std::string precision : {"float", "double"}) {

@@ -22,7 +22,7 @@ std::filesystem::path FindData(const std::filesystem::path& name) {
 bool IsSceneName(const std::filesystem::path& world) { return !world.has_extension() && !world.has_parent_path(); }
 
 void AddDurationOption(CommandLine& line, std::optional<double>& duration) {
-  line.AddNumber("--duration", "S", duration, "Simulated time in s, in place of the scene's");
+  line.AddNumber("--duration", "S", duration, kAnyNumber, "Simulated time in s, in place of the scene's");
 }
 
 void AddOracleEveryOption(CommandLine& line, int& oracle_every) {

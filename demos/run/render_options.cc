@@ -1,7 +1,6 @@
 #include "run/render_options.h"
 
 #include <charconv>
-#include <cmath>
 #include <iostream>
 #include <string>
 
@@ -55,7 +54,7 @@ std::string Complaint(const std::string& size, RenderOptions& options) {
   }
   if (!options.every) return "";
   if (!options.times.empty()) return "--times and --every: give one of them";
-  if (!(*options.every > 0 && std::isfinite(*options.every))) {
+  if (*options.every <= 0) {
     return "--every: must be above 0 s, not " + std::to_string(*options.every);
   }
   return "";
@@ -72,7 +71,7 @@ std::variant<RenderOptions, ExitStatus> ParseRenderOptions(int argc, const char*
   line.AddArgument("trajectory", "TRAJECTORY", options.trajectory, "What the run has left of it (.npy)");
   line.AddNumbers("--times", "LIST", options.times, kTimes,
                   "Times of the pictures in s. Default: the scene's; of a world file begin,\nmiddle and end");
-  line.AddNumber("--every", "S", options.every, "Frames of a film, one each S seconds of the simulation");
+  line.AddNumber("--every", "S", options.every, kAnyNumber, "Frames of a film, one each S seconds of the simulation");
   line.AddPath("--out", "DIR", options.out, "Folder for the pictures; made if missing");
   line.AddText("--size", "WxH", size, "Width and height of the pictures in pixels");
   line.AddSeed(options.seed, "Seed of the random bodies, as in the run");

@@ -87,7 +87,8 @@ or world, or the output cannot be written; 130 stopped.)";
 
 constexpr const char* kDefaultScene = "scenes/polytopes_50.json";
 
-constexpr Limits<double> kSampleInterval = {0, 3600};  // s
+constexpr Limits<double> kSampleInterval = {0, 3600};     // s
+constexpr Limits<double> kCheckpointInterval = {0, 1e9};  // s
 
 void AddOptions(CommandLine& line, RunOptions& options, std::string& narrowphase, bool& no_snapshots) {
   line.AddChoice("--narrowphase", "WHICH", narrowphase, {"dgd", "builtin", "both"}, "dgd, builtin or both");
@@ -102,16 +103,12 @@ void AddOptions(CommandLine& line, RunOptions& options, std::string& narrowphase
   line.AddNumber("--sample-every", "S", options.sample_interval, kSampleInterval,
                  "Simulated time from one sample of these to the next in s, each at the nearest\nstep; 0: every step");
   line.AddNumber(
-      "--checkpoint", "S", options.checkpoint_interval,
+      "--checkpoint", "S", options.checkpoint_interval, kCheckpointInterval,
       "Write the state of the run every S seconds of wall time, and when it ends\nor is stopped; 0: every step");
   line.AddFlag("--resume", options.resume, "Continue from the checkpoints in DIR; without any, from the beginning");
 }
 
 bool IsSound(const RunOptions& options) {
-  if (options.checkpoint_interval && !(*options.checkpoint_interval >= 0)) {
-    std::cerr << "--checkpoint: must be at least 0 s, not " << *options.checkpoint_interval << '\n';
-    return false;
-  }
   if (options.record && (options.checkpoint_interval || options.resume)) {
     std::cerr << "--record: not with --checkpoint or --resume, since records cannot be continued\n";
     return false;
@@ -158,7 +155,7 @@ std::variant<RunOptions, ExitStatus> ParseRunOptions(int argc, const char* const
   line.AddArgument("world", "WORLD", options.world,
                    "Scene (.json or the name of one), or Bullet's world file (.bullet)");
   line.AddWords("--set", "LIST", settings, "Options of the plugin, as patch_size=2,friction_anchors=off");
-  line.AddNumber("--time-step", "S", options.time_step, "Length of a step in s, in place of the world's");
+  line.AddNumber("--time-step", "S", options.time_step, kAnyNumber, "Length of a step in s, in place of the world's");
   line.AddChoice("--precision", "WHICH", options.precision, {"float", "double", "both"},
                  "Of Bullet: float, double or both");
   AddOptions(line, options, narrowphase, no_snapshots);

@@ -21,7 +21,7 @@ std::string ReadText(const std::filesystem::path& file) {
   // A directory opens without complaint and reads as empty. What cannot be examined cannot be opened either.
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) {
-    throw SceneError(file.string() + ": is a directory, not a scene file");
+    throw SceneError(file.string() + ": is a directory, not a JSON file");
   }
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw SceneError(file.string() + ": cannot be opened: " + std::strerror(errno));
@@ -105,6 +105,16 @@ json ParseJsonFile(const std::filesystem::path& file) {
   return json::parse(text);
 }
 
+std::string JsonReader::Dump() const {
+  constexpr std::size_t kLongest = 80;
+  std::string text = value_.dump();
+  if (text.size() <= kLongest) return text;
+  const auto is_inside_a_letter = [](char c) { return (c & 0xc0) == 0x80; };  // In UTF-8.
+  std::size_t length = kLongest;
+  while (is_inside_a_letter(text[length])) --length;
+  return text.substr(0, length) + "...";
+}
+
 void JsonReader::Fail(const std::string& what) const {
   const std::string path = path_.empty() ? "top level" : path_.to_string();
   throw SceneError(file_ + ": " + path + ": " + what);
@@ -114,7 +124,7 @@ bool JsonReader::Has(const std::string& key) const { return value_.is_object() &
 
 JsonReader JsonReader::At(const std::string& key) const {
   const JsonReader missing(file_, value_, path_ / key);
-  if (!value_.is_object()) Fail("must be an object, not " + value_.dump());
+  if (!value_.is_object()) Fail("must be an object, not " + Dump());
   if (!value_.contains(key)) missing.Fail("is missing");
   return {file_, value_.at(key), path_ / key};
 }
@@ -122,7 +132,7 @@ JsonReader JsonReader::At(const std::string& key) const {
 JsonReader JsonReader::At(std::size_t index) const { return {file_, value_.at(index), path_ / index}; }
 
 std::size_t JsonReader::Size() const {
-  if (!value_.is_array()) Fail("must be an array, not " + value_.dump());
+  if (!value_.is_array()) Fail("must be an array, not " + Dump());
   return value_.size();
 }
 
@@ -130,53 +140,53 @@ void JsonReader::ExpectDistinct() const {
   std::map<json, std::size_t> indices;
   for (std::size_t i = 0; i < Size(); ++i) {
     const auto [first, is_new] = indices.emplace(value_.at(i), i);
-    if (!is_new) At(first->second).Fail("is there twice, " + value_.at(i).dump());
+    if (!is_new) At(first->second).Fail("is there twice, " + At(i).Dump());
   }
 }
 
 std::vector<std::string> JsonReader::Keys() const {
-  if (!value_.is_object()) Fail("must be an object, not " + value_.dump());
+  if (!value_.is_object()) Fail("must be an object, not " + Dump());
   std::vector<std::string> keys;
   for (const auto& [key, member] : value_.items()) keys.push_back(key);
   return keys;
 }
 
 void JsonReader::AllowOnly(const std::vector<std::string_view>& keys) const {
-  if (!value_.is_object()) Fail("must be an object, not " + value_.dump());
+  if (!value_.is_object()) Fail("must be an object, not " + Dump());
   for (const auto& [key, member] : value_.items()) {
     if (std::ranges::find(keys, key) != keys.end()) continue;
     std::string known;
     for (const std::string_view name : keys) known += (known.empty() ? "" : ", ") + std::string(name);
-    JsonReader(file_, member, path_ / key)
-        .Fail("is not a known key (with the value " + member.dump() + "); known here: " + known);
+    const JsonReader value(file_, member, path_ / key);
+    value.Fail("is not a known key (with the value " + value.Dump() + "); known here: " + known);
   }
 }
 
 double JsonReader::Number(const Range& range) const {
-  if (!value_.is_number()) Fail("must be a number, not " + value_.dump());
+  if (!value_.is_number()) Fail("must be a number, not " + Dump());
   const double number = value_.get<double>();
-  if (!Contains(range, number)) Fail("must be " + Describe(range) + ", not " + value_.dump());
+  if (!Contains(range, number)) Fail("must be " + Describe(range) + ", not " + Dump());
   return number;
 }
 
 int JsonReader::Integer(int low, int high) const {
-  if (!value_.is_number_integer()) Fail("must be an integer, not " + value_.dump());
+  if (!value_.is_number_integer()) Fail("must be an integer, not " + Dump());
   Number({static_cast<double>(low), static_cast<double>(high)});
   return value_.get<int>();
 }
 
 bool JsonReader::Boolean() const {
-  if (!value_.is_boolean()) Fail("must be true or false, not " + value_.dump());
+  if (!value_.is_boolean()) Fail("must be true or false, not " + Dump());
   return value_.get<bool>();
 }
 
 std::string JsonReader::Text() const {
-  if (!value_.is_string() || value_.get<std::string>().empty()) Fail("must be a text, not " + value_.dump());
+  if (!value_.is_string() || value_.get<std::string>().empty()) Fail("must be a text, not " + Dump());
   return value_.get<std::string>();
 }
 
 Eigen::Vector3d JsonReader::Vector(const Range& range) const {
-  if (!value_.is_array() || value_.size() != 3) Fail("must be an array of 3 numbers, not " + value_.dump());
+  if (!value_.is_array() || value_.size() != 3) Fail("must be an array of 3 numbers, not " + Dump());
   Eigen::Vector3d vector;
   for (std::size_t i = 0; i < 3; ++i) vector[static_cast<Eigen::Index>(i)] = At(i).Number(range);
   return vector;

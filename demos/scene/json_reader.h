@@ -30,7 +30,7 @@ class JsonReader {
   bool Has(const std::string& key) const;
   bool IsArray() const { return value_.is_array(); }
   const nlohmann::json& value() const { return value_; }
-  std::string Dump() const { return value_.dump(); }
+  std::string Dump() const;                     ///< For a sentence: the value, or the beginning of a long one.
   JsonReader At(const std::string& key) const;  ///< The key must be there.
   JsonReader At(std::size_t index) const;
   std::size_t Size() const;     ///< Of an array.

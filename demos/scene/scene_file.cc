@@ -155,6 +155,7 @@ Scene LoadScene(const std::filesystem::path& file, const SceneChanges& changes) 
   Scene scene;
   scene.file = file.string();
   const JsonReader root(scene.file, document);
+  if (root.Has("arms")) root.At("arms").Fail("is of a scene for plan_motion, in which arms move and nothing falls");
   root.AllowOnly(
       {"about", "gravity", "time_step", "duration", "margin", "ground", "sleeping", "solver", "bodies", "snapshots"});
 

@@ -118,8 +118,13 @@ TEST_F(RunTest, KilledAndResumed_LeavesTheFilesOfARunThatWasNot) {
   EXPECT_EQ(again.output, outcome.output);
   const Outcome other = Run(resumed + " --seed 2");
   EXPECT_EQ(other.status, 2);
-  EXPECT_EQ(Count(other.output, "builtin.checkpoint: is of a run with seed 1, not 2"), 1) << other.output;
+  EXPECT_EQ(Count(other.output, "builtin.checkpoint: is of a run with --seed 1, not 2"), 1) << other.output;
   EXPECT_EQ(Run(resumed + " --record").status, 2);
+  std::filesystem::remove(Path("out/dgd_contacts.npy"));
+  EXPECT_EQ(Count(Run(resumed).output, "dgd_contacts.npy: cannot be continued: No such file"), 1);
+  std::filesystem::copy_file(Path("out/dgd.csv"), Path("out/builtin.csv"),
+                             std::filesystem::copy_options::overwrite_existing);
+  EXPECT_EQ(Count(Run(resumed).output, "builtin.csv cannot be continued: it is "), 1);
   std::filesystem::remove(Path("out/builtin.checkpoint"));
   std::filesystem::create_directory(Path("out/builtin.checkpoint"));
   const Outcome folder = Run(resumed);
@@ -225,6 +230,11 @@ TEST_F(RunTest, WorldFile_RunsAsTheSceneThatItWasWrittenFrom) {
   EXPECT_EQ(other.status, 2);
   EXPECT_EQ(Count(other.output, "both.json: /worlds/0: box.bullet was written by a Bullet in "), 1) << other.output;
 
+  const Outcome run_of_both = Run("run " + Path("box.bullet") + " --precision both --out " + Path("both"));
+  EXPECT_EQ(run_of_both.status, 2);
+  EXPECT_EQ(Count(run_of_both.output, "box.bullet: was written by a Bullet in "), 1) << run_of_both.output;
+  EXPECT_EQ(Count(run_of_both.output, "Results are in"), 0) << run_of_both.output;
+
   EXPECT_EQ(Run("run " + Path("box.bullet") + " --duration 1e9 --out " + Path("bad")).status, 2);
   folder_.Write("cut.bullet", ReadFile(Path("box.bullet")).substr(0, 1000));
   const Outcome cut = Run("run " + Path("cut.bullet") + " --out " + Path("bad"));
@@ -242,6 +252,9 @@ TEST_F(RunTest, BadInput_Status2) {
            {scene_ + " --set patch=1", "there is no option 'patch'"},
            {scene_ + " --set patch_size=0", "patch_size"},
            {scene_ + " --sample-every -1", "--sample-every"},
+           {scene_ + " --checkpoint inf", "--checkpoint: must be from 0 to 1e+09, not inf"},
+           {scene_ + " --checkpoint ''", "--checkpoint: '' is no number"},
+           {"ur5e_five_obstacles", "/arms: is of a scene for plan_motion"},
            {scene_ + " --precision half", "--precision"},
            {scene_ + " --seed x", "--seed"}}) {
     const Outcome outcome = Run("run " + arguments + " --no-snapshots --duration 0.02 --out " + Path("bad"));
