@@ -32,8 +32,14 @@ void AddOracleEveryOption(CommandLine& line, int& oracle_every) {
 
 void CheckDuration(double duration, double time_step) {
   const bool in_range = duration >= time_step && duration <= kMaxDuration;  // False for NaN.
-  if (in_range) return;
   std::ostringstream complaint;
+  if (in_range) {
+    const double steps = duration / time_step;
+    if (steps <= kMaxSteps) return;
+    complaint << "--duration: " << duration << " s are " << steps << " time steps of " << time_step
+              << " s, and a run has at most " << kMaxSteps;
+    throw SceneError(complaint.str());
+  }
   complaint << "--duration: must be from one time step (" << time_step << ") up to " << kMaxDuration << " s, not "
             << duration;
   throw SceneError(complaint.str());

@@ -32,7 +32,7 @@ inline constexpr int kMaxOracleEvery = 1'000'000;  ///< Steps.
 /// Adds --oracle-every.
 void AddOracleEveryOption(CommandLine& line, int& oracle_every);
 
-/// @throws SceneError unless the duration is from one time step up to kMaxDuration.
+/// @throws SceneError unless the duration is from one time step up to kMaxDuration and to kMaxSteps of them.
 void CheckDuration(double duration, double time_step);
 
 /// Gives a scene the requested duration, if any, in place of its own.

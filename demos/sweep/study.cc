@@ -115,9 +115,13 @@ class RunList {
   Study& study_;
 };
 
-// Refuses a duration below the time step, where the study has one of them and the world the other.
+// Refuses a duration below the time step or of too many of them, where the study has one and the world the other.
 void RunList::CheckTimes(const JsonReader& world, double own_duration, double own_time_step) const {
   const json duration = plan_.duration.value_or(own_duration), time_step = plan_.time_step.value_or(own_time_step);
+  if (own_time_step > 0 && duration.get<double>() / time_step.get<double>() > kMaxSteps) {
+    root_.At(plan_.time_step ? "time_step" : "duration")
+        .Fail("makes too many steps of " + world.Text() + ": " + duration.dump() + " s of " + time_step.dump() + " s");
+  }
   if (duration >= time_step) return;
   if (plan_.duration) {
     root_.At("duration")

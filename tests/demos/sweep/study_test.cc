@@ -118,11 +118,13 @@ TEST_F(StudyTest, SlipOfAVariedValue_NamesStudyPlaceAndScene) {
   EXPECT_EQ(error.find((folder_.path() / "bad.json").string() + ": /"), 0U) << "not of the study's: " << error;
 }
 
-TEST_F(StudyTest, DurationBelowATimeStep_IsRefused) {
+TEST_F(StudyTest, DurationBelowATimeStepOrOfTooMany_IsRefused) {
   const auto with = [](const std::string& more) { return R"({ "about": "a", "worlds": ["box.json"], )" + more + "}"; };
   const std::string refused = "study.json: /duration: must be at least a time step of box.json, ";
   for (const auto& [more, complaint] : std::vector<std::pair<std::string, std::string>>{
            {R"("duration": 0.003)", refused + "0.004 s, and is 0.003"},
+           {R"("duration": 3600, "time_step": 1e-6)",
+            "study.json: /time_step: makes too many steps of box.json: 3600.0 s of 1e-06 s"},
            {R"("duration": 0.01, "time_step": 0.02)", refused + "0.02 s, and is 0.01"},
            {R"("duration": 0.01, "vary": { "/time_step": [0.005, 0.02] })", refused + "0.02 s, and is 0.01"},
            {R"("time_step": 0.02, "vary": [ { "/duration": 0.01, "/snapshots": [] } ])",
