@@ -14,6 +14,7 @@
 #include "render/png_file.h"
 #include "render/scene_renderer.h"
 #include "report/progress_bar.h"
+#include "stop_signals.h"
 
 namespace dgd_demos {
 namespace {
@@ -65,9 +66,11 @@ class PictureWriter {
     ProgressBar progress("pictures", static_cast<double>(names.size() + 1));
     SceneRenderer renderer(view_.bodies, scale_, kPictureWidth, kPictureHeight);
     for (std::size_t i = 0; i < names.size(); ++i) {
+      if (IsStopRequested()) return;
       progress.Update(static_cast<double>(i));
       WriteMoment(i, names[i], renderer);
     }
+    if (IsStopRequested()) return;
     progress.Update(static_cast<double>(names.size()));
     WriteEndState();
   }

@@ -23,6 +23,7 @@ struct NamedRun {
 /// Writes <narrowphase>_t<time>s.png for each snapshot of each run, and end_state.png: both runs side by side, if there
 /// are two. At the same moment, all runs are seen from the same place. Moments with a body that is nowhere (not finite)
 /// are left out.
+/// A stop that is requested (StopSignals) leaves out those that are left.
 /// @param seed  of a scene's random bodies, for the subtitles; none for world files.
 /// @throws std::runtime_error if a file cannot be written.
 void WritePictures(const WorldView& view, std::optional<std::uint64_t> seed, const std::vector<NamedRun>& runs,

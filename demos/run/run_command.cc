@@ -17,7 +17,7 @@
 namespace dgd_demos {
 namespace {
 
-// A stopped run has no table: its figures are those of a run to the end.
+// A stopped run has no table: its figures would not be those of a run to the end.
 void PrintStop(const RecordedRun& run, const RunOptions& options) {
   std::fprintf(stderr, "Stopped at %g s of the simulation. %s\n", run.time(),
                options.checkpoint_interval
@@ -25,9 +25,16 @@ void PrintStop(const RecordedRun& run, const RunOptions& options) {
                    : "Files are complete up to there; only runs with --checkpoint can be continued.");
 }
 
+void Draw(const WorldSource& source, const std::vector<NamedRun>& runs, const RunOptions& options) {
+  const WorldView view = source.View();
+  if (view.bodies.empty()) return;
+  WritePictures(view, source.scene() ? std::optional(options.seed) : std::nullopt, runs, options.out);
+}
+
 }  // namespace
 
 ExitStatus Run(const RunOptions& options) {
+  const StopSignals stop_signals;
   const WorldSource source({options.world, options.seed, options.duration, options.time_step});
   for (const std::string& remark : source.remarks()) std::fprintf(stderr, "%s\n", remark.c_str());
   std::vector<NarrowphaseChoice> narrowphases;
@@ -39,7 +46,6 @@ ExitStatus Run(const RunOptions& options) {
   std::vector<NamedRun> runs;
   std::vector<TableColumn> columns;
   for (const NarrowphaseChoice& narrowphase : narrowphases) {
-    const StopSignals stop_signals;
     RecordedRun run(source, narrowphase, options);
     run.Run();
     if (!run.IsDone()) {
@@ -49,15 +55,17 @@ ExitStatus Run(const RunOptions& options) {
     runs.push_back({narrowphase.kind, run.Result()});
     columns.push_back({std::string(NameOf(narrowphase.kind)), {FiguresOf(runs.back().run.summary)}});
   }
-  const WorldView view = options.draw_snapshots ? source.View() : WorldView{};
-  if (!view.bodies.empty()) {
-    WritePictures(view, source.scene() ? std::optional(options.seed) : std::nullopt, runs, options.out);
-  }
 
   WriteTableCsv(options.out / "summary.csv", columns);
-  std::printf("%s, seed %llu, Bullet in %s precision\n\n%s\nResults are in %s\n", options.world.c_str(),
-              static_cast<unsigned long long>(options.seed), BulletPrecision(), FormatTable(columns).c_str(),
-              options.out.c_str());
+  std::printf("%s, seed %llu, Bullet in %s precision\n\n%s\n", options.world.c_str(),
+              static_cast<unsigned long long>(options.seed), BulletPrecision(), FormatTable(columns).c_str());
+  std::fflush(stdout);  // Before the pictures, which take their time.
+  if (options.draw_snapshots) Draw(source, runs, options);
+  if (IsStopRequested()) {
+    std::fprintf(stderr, "Stopped while pictures were drawn; figures are complete.\n");
+    return kInterrupted;
+  }
+  std::printf("Results are in %s\n", options.out.c_str());
 
   ExitStatus status = kSuccess;
   for (const NamedRun& run : runs) {

@@ -85,7 +85,8 @@ RunSummary Tally::Summary(const std::vector<Pose>& end_poses, double wall_time) 
   RunSummary summary = sums_;
   summary.mean_true = sum_of_true_ / std::max(1, oracle_steps_);
   summary.kinetic_energy_end = energy_.kinetic;
-  summary.dissipated_share = 1 - Total(energy_) / initial_energy_;
+  // Of nothing, there is no share.
+  summary.dissipated_share = initial_energy_ == 0 ? kNone : 1 - Total(energy_) / initial_energy_;
   summary.wall_time = wall_time;
   if (speeds_ > 0) summary.rms_speed = std::sqrt(sum_of_squared_speeds_ / speeds_);
   const bool ended_early = sums_.steps * time_step_ < duration_ - time_step_ / 2;

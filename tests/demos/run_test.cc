@@ -120,6 +120,10 @@ TEST_F(RunTest, KilledAndResumed_LeavesTheFilesOfARunThatWasNot) {
   EXPECT_EQ(other.status, 2);
   EXPECT_EQ(Count(other.output, "builtin.checkpoint: is of a run with --seed 1, not 2"), 1) << other.output;
   EXPECT_EQ(Run(resumed + " --record").status, 2);
+  std::filesystem::remove(Path("out/dgd.csv"));
+  EXPECT_EQ(Count(Run(resumed).output, "dgd.csv: cannot be continued: it does not exist"), 1);
+  EXPECT_FALSE(std::filesystem::exists(Path("out/dgd.csv")));
+  std::filesystem::copy_file(Path("whole/dgd.csv"), Path("out/dgd.csv"));
   std::filesystem::remove(Path("out/dgd_contacts.npy"));
   EXPECT_EQ(Count(Run(resumed).output, "dgd_contacts.npy: cannot be continued: No such file"), 1);
   std::filesystem::copy_file(Path("out/dgd.csv"), Path("out/builtin.csv"),
@@ -135,7 +139,8 @@ TEST_F(RunTest, KilledAndResumed_LeavesTheFilesOfARunThatWasNot) {
 
 TEST_F(RunTest, StoppedRun_LeavesCompleteFilesAndCanBeResumed) {
   const std::string run = "run " + scene_ + " --no-snapshots --duration 2000 --narrowphase dgd --out " + Path("out");
-  const std::string stop = std::string("-s TERM 0.7 ") + DGD_TEST_HEADLESS_SIM + " ";
+  // Long after the program has started, on a busy machine as well.
+  const std::string stop = std::string("-s TERM 1.5 ") + DGD_TEST_HEADLESS_SIM + " ";
   const Outcome stopped = dgd_test::RunProgram("timeout", "--preserve-status " + stop + run + " --checkpoint 1000");
   EXPECT_EQ(stopped.status, 130) << stopped.output;
   EXPECT_EQ(Count(stopped.output, "Stopped at "), 1) << stopped.output;
@@ -153,6 +158,24 @@ TEST_F(RunTest, StoppedRun_LeavesCompleteFilesAndCanBeResumed) {
   const Outcome other = dgd_test::RunProgram("timeout", "--preserve-status " + stop + run + " --precision both");
   EXPECT_EQ(other.status, 130) << other.output;
   EXPECT_EQ(Count(other.output, "Stopped at "), 1) << other.output;
+}
+
+// Whatever becomes of the pictures, the figures are there.
+TEST_F(RunTest, PictureThatCannotBeWritten_LeavesTheTable) {
+  std::filesystem::create_directories(Path("out/end_state.png"));
+  const Outcome outcome = Run("run " + scene_ + " --duration 0.05 --out " + Path("out"));
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(Count(outcome.output, "end_state.png: cannot be written: "), 1) << outcome.output;
+  EXPECT_EQ(Count(outcome.output, "wall time of the steps"), 1) << outcome.output;
+  EXPECT_TRUE(std::filesystem::exists(Path("out/summary.csv")));
+}
+
+// At whatever moment it is stopped.
+TEST_F(RunTest, StoppedWhileItDraws_EndsAsOneThatIsStoppedWhileItRuns) {
+  const Outcome outcome =
+      dgd_test::RunProgram("timeout", std::string("--preserve-status -s TERM 1.5 ") + DGD_TEST_HEADLESS_SIM +
+                                          " run polytopes_50 --duration 0.05 --out " + Path("out"));
+  EXPECT_TRUE(outcome.status == 130 || outcome.status == 0) << outcome.status << outcome.output;
 }
 
 // Two at once would write the same files.
@@ -252,7 +275,9 @@ TEST_F(RunTest, BadInput_Status2) {
            {scene_ + " --set patch=1", "there is no option 'patch'"},
            {scene_ + " --set patch_size=0", "patch_size"},
            {scene_ + " --sample-every -1", "--sample-every"},
-           {scene_ + " --checkpoint inf", "--checkpoint: must be from 0 to 1e+09, not inf"},
+           {scene_ + " --time-step 1e-12", "--duration: 0.02 s are 2e+10 time steps of 1e-12 s"},
+           {scene_ + " --oracle-every 2.5", "--oracle-every: '2.5' is no whole number"},
+           {scene_ + " --checkpoint inf", "--checkpoint: must be finite, not inf"},
            {scene_ + " --checkpoint ''", "--checkpoint: '' is no number"},
            {"ur5e_five_obstacles", "/arms: is of a scene for plan_motion"},
            {scene_ + " --precision half", "--precision"},
