@@ -1,9 +1,11 @@
 #include "command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <iostream>
 #include <limits>
 #include <sstream>
+#include <type_traits>
 
 #include "seed_option.h"
 
@@ -21,8 +23,10 @@ template <class Number>
 CLI::Validator Within(const Limits<Number>& limits) {
   return CLI::Validator(
       [limits](std::string& text) {
+        constexpr const char* kWanted = std::is_integral_v<Number> ? "whole number" : "number";
         Number value{};
-        if (!CLI::detail::lexical_cast(text, value) || value != value) return "'" + text + "' is no number";
+        if (!CLI::detail::lexical_cast(text, value) || value != value) return "'" + text + "' is no " + kWanted;
+        if (!std::isfinite(static_cast<double>(value))) return "must be finite, not " + text;
         std::ostringstream complaint;
         if (value < limits.least || value > limits.most) {
           complaint << "must be from " << limits.least << " to " << limits.most << ", not " << text;

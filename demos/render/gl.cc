@@ -21,14 +21,16 @@ constexpr const char* kLibrary = "libOSMesa.so.8";  // Its interface's version; 
 template <class Function>
 void Find(void* library, const char* name, Function& function) {
   function = reinterpret_cast<Function>(dlsym(library, name));
-  if (function == nullptr) throw std::runtime_error(std::string(kLibrary) + ": has no " + name);
+  if (function == nullptr) {
+    throw std::runtime_error("no pictures can be drawn: " + std::string(kLibrary) + " has no " + name);
+  }
 }
 
 bool LoadAll() {
   void* const library = dlopen(kLibrary, RTLD_LAZY | RTLD_LOCAL);  // Until the program ends.
   if (library == nullptr) {
     throw std::runtime_error("no pictures can be drawn: " + std::string(dlerror()) +
-                             " (Debian's package is libosmesa6)");
+                             " (Debian's package is libosmesa6; runs without pictures do without it)");
   }
 #define DGD_FIND_GL_FUNCTION(name) Find(library, #name, name);
   DGD_GL_FUNCTIONS(DGD_FIND_GL_FUNCTION)

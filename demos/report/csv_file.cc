@@ -14,8 +14,11 @@ std::string TextOf(double number) {
   return {digits.data(), std::to_chars(digits.begin(), digits.end(), number).ptr};
 }
 
-CsvFile::CsvFile(const std::filesystem::path& file, OpenMode mode)
-    : file_(file), stream_(file, mode == OpenMode::kCreate ? std::ios::out : std::ios::out | std::ios::app) {
+CsvFile::CsvFile(const std::filesystem::path& file, OpenMode mode) : file_(file) {
+  if (mode == OpenMode::kContinue && !std::filesystem::exists(file)) {  // Else it would be made.
+    throw std::runtime_error(file.string() + ": cannot be continued: it does not exist");
+  }
+  stream_.open(file, mode == OpenMode::kCreate ? std::ios::out : std::ios::out | std::ios::app);
   CheckWritten();
 }
 

@@ -55,7 +55,7 @@ std::string Complaint(const std::string& size, RenderOptions& options) {
   if (!options.every) return "";
   if (!options.times.empty()) return "--times and --every: give one of them";
   if (*options.every <= 0) {
-    return "--every: must be above 0 s, not " + std::to_string(*options.every);
+    return "--every: must be above 0 s";
   }
   return "";
 }

@@ -207,7 +207,7 @@ TEST_F(RenderTest, BadInput_Status2) {
            {scene_ + " " + trajectory_ + " --times -1", "--times"},
            {scene_ + " " + trajectory_ + " --times nan", "--times"},
            {scene_ + " " + trajectory_ + " --times 0 --every 1", "--times and --every: give one of them"},
-           {scene_ + " " + trajectory_ + " --every 0", "--every: must be above 0 s, not 0"},
+           {scene_ + " " + trajectory_ + " --every 0", "--every: must be above 0 s"},
            {scene_ + " " + trajectory_ + " --every nan", "--every: 'nan' is no number"},
            {scene_ + " " + trajectory_ + " --every 1e-9", "--every: 1e-09 s makes 2e+08 frames"},
            {scene_ + " " + trajectory_ + " --seed x", "--seed"}}) {
