@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -210,6 +211,22 @@ TYPED_TEST(SignedDistanceTest, CylinderOnItsCapAndOnItsSide_IsAsDeepAsItSank) {
   const auto on_side = this->Ask(floor, cylinder, this->At({2, 1, S(1.45)}, lying));
   this->ExpectDistance(on_side, S(-0.05));
   this->ExpectNormal(on_side, dgd::Vector3<S>::UnitZ());
+}
+
+// All around the axis the normals are alike, or nearly so: an inner approximation has no room for as many points as it
+// takes to tell which is the best.
+TYPED_TEST(SignedDistanceTest, RoundInAConeNearItsAxis_LeavesThroughItsSide) {
+  using S = TypeParam;
+  const S radius = S(0.9), height = S(1.7), slant = std::hypot(radius, height);
+  const dgd::RoundedSet cone{dgd::Cone<S>(radius, height), S(0)};
+  for (const S aside : {S(0), S(1e-6), S(1e-4), S(1e-3), S(1e-2)}) {
+    for (const S up : {S(-0.05), S(0.2), S(0.6)}) {
+      SCOPED_TRACE(testing::Message() << aside << " m aside, " << up << " m up");
+      const S to_side = (radius * (height / 2 - up) - height * aside) / slant;
+      const dgd::Vector3<S> center(aside * S(0.6), aside * S(0.8), up);
+      this->ExpectDistance(this->Ask(cone, dgd::Sphere(S(0.25)), this->At(center)), -to_side - S(0.25));
+    }
+  }
 }
 
 TYPED_TEST(SignedDistanceTest, NanPose_IsInvalid) {

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cfenv>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -36,13 +38,26 @@ dgd::PieceModels<double> ModelsAt(const std::vector<Ball>& balls, const Point& n
   return pieces;
 }
 
+/// A model with what it refers to.
+struct Kink {
+  Kink(const Point& at, const dgd::PieceModels<double>& of_pieces)
+      : normal(at), tangents(TangentsAt(at)), pieces(of_pieces), model(normal, tangents, pieces) {}
+  Kink(const Kink&) = delete;
+  Kink& operator=(const Kink&) = delete;
+
+  Point normal;
+  Eigen::Matrix<double, 2, 3> tangents;
+  dgd::PieceModels<double> pieces;
+  dgd::KinkModel<double> model;
+};
+
 /// Where the steps from a normal nearby end: along it all balls are level, and no turn that keeps them so is better.
 Point Converge(const std::vector<Ball>& balls, Point normal, int steps) {
   for (int i = 0; i < steps; ++i) {
-    Point next;
-    EXPECT_TRUE(dgd::StepOnKink<double>(normal, TangentsAt(normal), ModelsAt(balls, normal), next));
-    EXPECT_NEAR(next.norm(), 1, 1e-15);
-    normal = next;
+    const dgd::NormalStep<double> step = dgd::StepOnKink(Kink(normal, ModelsAt(balls, normal)).model);
+    EXPECT_TRUE(step.is_valid);
+    EXPECT_NEAR(step.next.norm(), 1, 1e-15);
+    normal = step.next;
   }
   return normal;
 }
@@ -71,19 +86,61 @@ TEST(KinkStep, ThreeBalls_TheirCommonPlane) {
 
 TEST(KinkStep, PointsAlike_HaveNone) {
   const Ball ball{{0, 0, -2}, 0.5};
-  Point next;
-  EXPECT_FALSE(dgd::StepOnKink<double>(Point::UnitZ(), TangentsAt(Point::UnitZ()),
-                                       ModelsAt({ball, ball}, Point::UnitZ()), next));
+  const Kink kink(Point::UnitZ(), ModelsAt({ball, ball}, Point::UnitZ()));
+  EXPECT_FALSE(dgd::StepOnKink(kink.model).is_valid);
+  EXPECT_FALSE(dgd::StepDownKink(kink.model, 0.5, 1e-9).is_valid);
 }
 
 TEST(KinkStep, NoSecondDerivative_None_AndNotCalculatedWith) {
   const Point normal = Point::UnitZ();
   dgd::PieceModels<double> pieces = ModelsAt({{{-1, 0, -2}, 0.3}, {{1, 0, -2}, 0.3}}, normal);
   pieces[1].curvature.setConstant(std::numeric_limits<double>::quiet_NaN());
-  Point next;
   std::feclearexcept(FE_ALL_EXCEPT);
-  EXPECT_FALSE(dgd::StepOnKink<double>(normal, TangentsAt(normal), pieces, next));
+  const Kink kink(normal, pieces);
+  EXPECT_FALSE(dgd::StepOnKink(kink.model).is_valid);
+  EXPECT_FALSE(dgd::StepDownKink(kink.model, 0.5, 1e-9).is_valid);
   EXPECT_EQ(std::fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW), 0);
+}
+
+// Three balls whose common plane the origin is behind, and the highest of their heights.
+const std::vector<Ball> kAround = {{{-1, 0, 0.3}, 0.3}, {{1, -1, 0.2}, 0.5}, {{0.2, 1, 0.4}, 0.1}};
+
+double HeightOf(const std::vector<Ball>& balls, const Point& normal) {
+  double height = -std::numeric_limits<double>::infinity();
+  for (const Ball& ball : balls) height = std::max(height, normal.dot(ball.center) + ball.radius);
+  return height;
+}
+
+// The gain is what the height falls by, but for the model's error of third order.
+TEST(KinkStepFromInside, Gain_IsWhatTheHeightFallsBy) {
+  for (const double tilt : {0.1, 0.03, 0.01}) {
+    const Point level = Converge(kAround, Point(0.02, 0.1, 1).normalized(), 8);
+    const Point normal = (level + tilt * Point(0.6, 0.1, 0)).normalized();
+    const Kink kink(normal, ModelsAt(kAround, normal));
+    const dgd::NormalStep<double> step = dgd::StepDownKink(kink.model, tilt, 0.0);
+    ASSERT_TRUE(step.is_valid);
+    const double gain = HeightOf(kAround, normal) - kink.model.Height() + step.gain;
+    EXPECT_GT(gain, 0.1 * tilt);
+    EXPECT_NEAR(HeightOf(kAround, normal) - HeightOf(kAround, step.next), gain, 2 * tilt * tilt);
+  }
+}
+
+// Of points, the height over an origin inside of their hull is concave across them: there is no minimum, but a way
+// down.
+TEST(KinkStepFromInside, AgainstTheCurvature_GoesDownAsFarAsItMay) {
+  const std::vector<Ball> points = {{{-1, 0, 1}, 0}, {{1, 0, 1}, 0}};
+  const Point normal = Point(0, 0.1, 1).normalized();
+  const Kink kink(normal, ModelsAt(points, normal));
+  for (const double reach : {0.5, 0.1}) {
+    const dgd::NormalStep<double> step = dgd::StepDownKink(kink.model, reach, 1e-9);
+    ASSERT_TRUE(step.is_valid);
+    EXPECT_NEAR(std::acos(step.next.dot(normal)), std::atan(reach), 1e-12);
+    EXPECT_LT(HeightOf(points, step.next), HeightOf(points, normal));
+    EXPECT_GT(step.gain, 0);
+  }
+  const dgd::NormalStep<double> not_worth_it = dgd::StepDownKink(kink.model, 0.5, 1.0);
+  EXPECT_EQ((not_worth_it.next - normal).norm(), 0);
+  EXPECT_NEAR(not_worth_it.gain, 0, 1e-15);
 }
 
 }  // namespace

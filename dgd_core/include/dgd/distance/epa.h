@@ -73,7 +73,19 @@ class EpaPolytope {
     return faces_[nearest_];
   }
 
-  /// The same among those that look along a unit vector, by their normals' cosine to it; a sliver if there is none.
+  /// The same among those that look aside from a unit vector, by their normals' cosine to it; null if there is none.
+  const Face* NearestAside(const Vector3<S>& direction, S most_cosine) const {
+    const Face* nearest = nullptr;
+    S least = std::numeric_limits<S>::infinity();
+    std::for_each(faces_.begin(), End(), [&](const Face& face) {
+      if (!(face.distance < least) || face.normal.dot(direction) > most_cosine) return;
+      least = face.distance;
+      nearest = &face;
+    });
+    return nearest;
+  }
+
+  /// The same among those that look along it; a sliver if there is none.
   Face NearestAlong(const Vector3<S>& direction, S least_cosine) const {
     Face nearest{Vector3<S>::Zero(), std::numeric_limits<S>::infinity(), 0, {}};
     std::for_each(faces_.begin(), End(), [&](const Face& face) {
@@ -102,7 +114,14 @@ class EpaPolytope {
 
   /// The point of the surface that is nearest to a point on or outside of it.
   Feature NearestTo(const Vector3<S>& target) const {
-    Feature nearest = points_[0];
+    Feature nearest = TriangleNearestTo(target).Combination();
+    nearest.point += target;
+    return nearest;
+  }
+
+  /// What of the surface is nearest to a point on or outside of it, about that point.
+  GjkSimplex<S> TriangleNearestTo(const Vector3<S>& target) const {
+    GjkSimplex<S> nearest;
     S least = std::numeric_limits<S>::infinity();
     std::for_each(faces_.begin(), End(), [&](const Face& face) {
       if (face.HasBelow(target)) return;
@@ -112,8 +131,7 @@ class EpaPolytope {
       const S distance_sq = triangle.Nearest().squaredNorm();
       if (!(distance_sq < least)) return;
       least = distance_sq;
-      nearest = triangle.Combination();
-      nearest.point += target;
+      nearest = triangle;
     });
     return nearest;
   }

@@ -5,8 +5,9 @@
 //    finds the least of them: an expanding polytope. Its nearest face bounds the depth from below, supporting planes
 //    from above; faces behind the best of these, which begins with the growth distance's, are not looked at.
 //  * The inner approximation of a curved set alone converges linearly: between its points, Newton's steps are taken
-//    from the best plane (newton_step.h). A deep overlap may need more points than the polytope has room for: then it
-//    is begun from scratch, at a smaller scale.
+//    from the best plane (newton_step.h); and once no normal elsewhere can be much better, down to the best nearby,
+//    be it on a kink (piece_search.h). What is left is to look at the faces elsewhere. A deep overlap may need more
+//    points than the polytope has room for: then it is begun from scratch, at a smaller scale.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -21,7 +22,7 @@
 #include "dgd/distance/epa.h"
 #include "dgd/distance/gjk_simplex.h"
 #include "dgd/distance/newton_step.h"
-#include "dgd/distance/plane_search.h"
+#include "dgd/distance/piece_search.h"
 #include "dgd/inlining.h"
 #include "dgd/query_types.h"
 
@@ -29,8 +30,8 @@ namespace dgd::distance_internal {
 
 /// The search about an origin inside of K, or on its border. Lengths in metres, in the ray's frame, as in PlaneSearch.
 template <class Set1, class Set2>
-class EpaSearch : protected PlaneSearch<Set1, Set2> {
-  using Planes = PlaneSearch<Set1, Set2>;
+class EpaSearch : protected PieceSearch<Set1, Set2> {
+  using Planes = PieceSearch<Set1, Set2>;
 
  public:
   using Planes::Planes;
@@ -51,6 +52,8 @@ class EpaSearch : protected PlaneSearch<Set1, Set2> {
   using Planes::SupportError;
   using Planes::TangentsAt;
   using Planes::Tolerance;
+  using typename Planes::Corners;
+  using typename Planes::LocalMinimum;
   using typename Planes::Tangents;
 
   bool IsOptimal() const { return nearest_ + best_.height <= Tolerance(); }
@@ -76,21 +79,28 @@ class EpaSearch : protected PlaneSearch<Set1, Set2> {
     nearest_ = std::numeric_limits<S>::infinity();
     EpaPolytope<S> polytope(corners, SupportError(), size_);
     const auto finish = [&](Status status) {
+      if (minimum_ && !IsBeaten(*minimum_)) return FinishAt(*minimum_);
       if constexpr (Difference::kIsPolytope) polytope.Leave(corners_.emplace());
       return Finish(status, polytope.NearestTo(best_.height * best_.normal));
     };
     for (;;) {
-      const auto& face = polytope.Nearest();
+      const auto* face = &polytope.Nearest();
       nearest_ = std::min(nearest_, -polytope.Inradius());
       if (IsOptimal()) return finish(Status::kOptimal);
       if (is_stationary_ && IsBestElsewhere()) return finish(Status::kOptimal);
+      if constexpr (Difference::kIsSmooth) {
+        if (const auto& minimum = FindMinimum(polytope)) {
+          face = polytope.NearestAside(minimum->plane.normal, kNearby);
+          if (face == nullptr || best_.height - face->distance <= Tolerance()) return finish(Status::kOptimal);
+        }
+      }
       if (IsExhausted()) return finish(Status::kIterationLimit);
-      if (polytope.IsSliver(face)) return finish(Status::kStalled);
-      const Point own = face.normal;
+      if (polytope.IsSliver(*face)) return finish(Status::kStalled);
+      const Point own = face->normal;
       const Point normal = NextNormal(own);
       if (polytope.Add(Cut(normal))) continue;
       if constexpr (!Difference::kIsPolytope) {
-        if (polytope.IsFull()) return Refine(polytope.NearestTo(best_.height * best_.normal));
+        if (polytope.IsFull()) return Refine(polytope);
       }
       if (normal == own) return finish(Status::kStalled);
     }
@@ -125,6 +135,29 @@ class EpaSearch : protected PlaneSearch<Set1, Set2> {
     const Point normal = best_.normal;
     best_.height = std::numeric_limits<S>::infinity();
     Cut(normal);
+  }
+
+  /// The best normal nearby the best plane's, once no normal elsewhere is much better; nothing before, and if there is
+  /// none to be found. Another one where a better plane turns up elsewhere.
+  const std::optional<LocalMinimum>& FindMinimum(const EpaPolytope<S>& polytope) requires(Difference::kIsSmooth) {
+    if (minimum_ && IsBeaten(*minimum_)) {
+      minimum_.reset();
+      may_descend_ = true;
+    }
+    if (may_descend_ && IsBestElsewhere()) {
+      may_descend_ = false;
+      minimum_ = this->Descend(this->CornersOf(polytope.TriangleNearestTo(best_.height * best_.normal)));
+    }
+    return minimum_;
+  }
+
+  bool IsBeaten(const LocalMinimum& minimum) const { return best_.height < minimum.plane.height - Tolerance(); }
+
+  /// With a normal that is the best nearby, and none elsewhere much better. Another plane may be better by less than
+  /// the tolerance, and far away: its foot is not this one's.
+  Status FinishAt(const LocalMinimum& minimum) {
+    best_ = minimum.plane;
+    return Finish(Status::kOptimal, minimum.foot);
   }
 
   /// With the origin inside K: whether no normal elsewhere is much better.
@@ -173,10 +206,18 @@ class EpaSearch : protected PlaneSearch<Set1, Set2> {
     return inner_normal;
   }
 
-  /// The expanding polytope has no room for as many points as a curved set may ask for. Others take its place, of the
-  /// best plane's surroundings alone, which are narrowed down from one to the next.
-  /// @param of_inner  The foot so far.
-  DGD_NOINLINE Status Refine(Feature of_inner) {
+  /// The expanding polytope has no room for as many points as a curved set may ask for. A normal that is the best
+  /// nearby ends the search if none elsewhere is much better. Else others take the polytope's place, of the best
+  /// plane's surroundings alone, which are narrowed down from one to the next.
+  DGD_NOINLINE Status Refine(const EpaPolytope<S>& polytope) {
+    const Point target = best_.height * best_.normal;
+    const GjkSimplex<S> triangle = polytope.TriangleNearestTo(target);
+    if constexpr (Difference::kIsSmooth) {
+      if (!minimum_) minimum_ = this->Descend(this->CornersOf(triangle));
+      if (minimum_ && IsBestElsewhere()) return FinishAt(*minimum_);
+    }
+    Feature of_inner = triangle.Combination();
+    of_inner.point += target;
     constexpr int kMaxRounds = 8;
     constexpr S kNarrower = 4;
     // By which a border that curves as a ball of K's size recedes by the gap, and some more.
@@ -234,8 +275,14 @@ class EpaSearch : protected PlaneSearch<Set1, Set2> {
     }
   }
 
+  std::optional<LocalMinimum> minimum_;
+  bool may_descend_ = true;  // No descent was tried, or a better plane has turned up since.
+
   /// A tetrahedron that is thicker than so many units of roundoff has faces whose normals keep some digits.
   static constexpr S kFlat = 1024;
+  /// Cosine to a local minimum's normal of those that it is taken to be the best of: 3.6 degrees. Of 84000 pairs of
+  /// curved sets in overlap, one ends 1e-4 of the depth above the best normal so; with 8 degrees, 14.
+  static constexpr S kNearby = S(0.998);
   /// Of a triangle about the best plane: about 30 degrees.
   static constexpr S kWidest = S(0.5);
   /// Of smooth sets: by how much of the depth a normal elsewhere may be better for a local minimum to be the answer.

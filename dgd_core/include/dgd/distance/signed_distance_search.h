@@ -129,6 +129,8 @@ class SignedDistanceSearch : private distance_internal::EpaSearch<Set1, Set2> {
   using Overlap::TangentsAt;
   using Overlap::ToDistanceOrigin;
   using Overlap::Tolerance;
+  using typename Overlap::Corners;
+  using typename Overlap::Pieces;
   using typename Overlap::Tangents;
 
   static bool IsCertain(Status status) {
@@ -167,48 +169,34 @@ class SignedDistanceSearch : private distance_internal::EpaSearch<Set1, Set2> {
       const Point from = best_.normal;
       const Tangents tangents = TangentsAt(from);
       const Pieces pieces = PiecesOfSimplex(from, tangents);
-      Point next;
-      if (!StepOnKink<S>(from, tangents, pieces.models, next)) return own;
+      const NormalStep<S> step = StepOnKink(KinkModel<S>(from, tangents, pieces.models));
+      if (!step.is_valid) return own;
       // Of a single piece, the next support point will do.
-      if (pieces.models.size > 1) MoveSimplex(pieces, next, tangents);
-      return next;
+      if (pieces.models.size > 1) MoveSimplex(pieces.support, step.next, tangents);
+      return step.next;
     }
     return own;
   }
 
-  /// Support points of pieces of the two cores, and what is known about them.
-  struct Pieces {
-    std::array<Feature, 3> points;
-    PieceModels<S> models;
-  };
-
-  /// The pieces that the simplex's points are on, each once, about a normal.
+  /// The pieces that the simplex's points are on, about a normal, with the points' weights.
   Pieces PiecesOfSimplex(const Point& normal, const Tangents& tangents) requires(Difference::kIsSmooth) {
-    Pieces pieces;
-    std::size_t& size = pieces.models.size;
-    for (std::size_t i = 0; i < simplex_.Size(); ++i) {
-      const Feature& corner = simplex_[i];
-      std::size_t same = 0;
-      while (same < size && !pieces.points[same].HasFeaturesOf(corner)) ++same;
-      if (same == size) {
-        const auto piece = difference_.AlongTangents(corner.feature_1, corner.feature_2, normal, tangents);
-        pieces.points[same] = ToDistanceOrigin(piece.support);
-        pieces.models[size++] = {pieces.points[same].point, piece.derivative, 0};
-      }
-      pieces.models[same].weight += simplex_.Weight(i);
+    const Corners corners = this->CornersOf(simplex_);
+    Pieces pieces = this->PiecesOf(corners, normal, tangents);
+    for (std::size_t i = 0; i < corners.size; ++i) {
+      pieces.models[pieces.support.IndexOf(corners.points[i])].weight += simplex_.Weight(i);
     }
     return pieces;
   }
 
   /// Takes the pieces' points along another normal for the simplex, if they are nearer.
-  void MoveSimplex(const Pieces& pieces, const Point& normal,
+  void MoveSimplex(const Corners& corners, const Point& normal,
                    const Tangents& tangents) requires(Difference::kIsSmooth) {
     std::array<Feature, 3> moved;
-    for (std::size_t i = 0; i < pieces.models.size; ++i) {
-      const Feature& from = pieces.points[i];
+    for (std::size_t i = 0; i < corners.size; ++i) {
+      const Feature& from = corners.points[i];
       moved[i] = ToDistanceOrigin(difference_.AlongTangents(from.feature_1, from.feature_2, normal, tangents).support);
     }
-    const GjkSimplex<S> simplex(moved, pieces.models.size);
+    const GjkSimplex<S> simplex(moved, corners.size);
     if (simplex.Nearest().squaredNorm() < simplex_.Nearest().squaredNorm()) simplex_ = simplex;
     nearest_ = simplex_.Nearest().norm();
   }
