@@ -15,7 +15,7 @@
 #include "motion/plan_run.h"
 #include "plan_motion_options.h"
 #include "program_main.h"
-#include "render/gl.h"
+#include "render/off_screen.h"
 #include "render/png_file.h"
 #include "report/csv_file.h"
 #include "report/execution_csv.h"
@@ -120,7 +120,7 @@ PlanRun PlanAndWrite(const MotionScene& scene, const CollisionModel& model, cons
 ExitStatus Run(const PlanMotionOptions& options) {
   const MotionScene scene = LoadMotionScene(options.scene);
   const CollisionModel model(scene);
-  if (options.draws) LoadGl();  // A program that cannot draw says so before it plans.
+  if (options.draws) LoadOsMesa();  // A program that cannot draw says so before it plans.
   if (const std::optional<std::string> collision = FindCollisionAtEnds(scene, model)) {
     std::fprintf(stderr, "%s: %s\n", scene.file.c_str(), collision->c_str());
     return kNoPath;

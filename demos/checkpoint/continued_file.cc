@@ -27,7 +27,7 @@ std::string HashOfEnd(int descriptor, std::uint64_t size, std::uint64_t head) {
 
 }  // namespace
 
-std::uint64_t SerializeFileSize(StateArchive& archive, const std::filesystem::path& file, std::uint64_t head) {
+std::uint64_t SerializeContinuedFile(StateArchive& archive, const std::filesystem::path& file, std::uint64_t head) {
   const int descriptor = open(file.c_str(), O_RDWR | O_CLOEXEC);
   const auto fail = [&](const std::string& reason) {
     if (descriptor >= 0) close(descriptor);

@@ -19,6 +19,6 @@ enum class OpenMode {
 /// @param head  so many bytes at the file's beginning are written again as it grows.
 /// @return the size, bytes.
 /// @throws std::runtime_error if the file is missing, shorter than that, or ends otherwise.
-std::uint64_t SerializeFileSize(StateArchive& archive, const std::filesystem::path& file, std::uint64_t head = 0);
+std::uint64_t SerializeContinuedFile(StateArchive& archive, const std::filesystem::path& file, std::uint64_t head = 0);
 
 }  // namespace dgd_demos

@@ -199,8 +199,7 @@ MotionScene LoadMotionScene(const std::filesystem::path& file) {
   MotionScene scene;
   scene.file = file.string();
   const JsonReader root(scene.file, document);
-  if (root.Has("bodies"))
-    root.At("bodies").Fail("is of a scene for headless_sim, in which bodies fall and no arm moves");
+  if (root.Has("bodies")) root.At("bodies").Fail("is of a scene for headless_sim, where bodies fall and no arm moves");
   root.AllowOnly({"about", "gravity", "arms", "obstacles", "plan"});
   scene.about = root.At("about").Text();
   scene.gravity = root.At("gravity").Vector(kAcceleration);

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "render/off_screen.h"
+
 // Read by the sanitizers, if there are any. Mesa 22.3 keeps the frame buffers of a context that is destroyed; and its
 // threads, which are compiled without the thread sanitizer, look to that as if they did not wait for each other.
 // NOLINTBEGIN(bugprone-reserved-identifier): the names are theirs.
@@ -44,6 +46,6 @@ bool LoadAll() {
 DGD_GL_FUNCTIONS(DGD_DEFINE_GL_FUNCTION)
 #undef DGD_DEFINE_GL_FUNCTION
 
-void LoadGl() { [[maybe_unused]] static const bool is_loaded = LoadAll(); }
+void LoadOsMesa() { [[maybe_unused]] static const bool is_loaded = LoadAll(); }
 
 }  // namespace dgd_demos

@@ -1,5 +1,6 @@
 // OpenGL, as OSMesa has it. OSMesa comes with a whole compiler, whose loading takes longer than the start of everything
-// else here, so a program that draws nothing does without it: these are pointers, which the first picture sets.
+// else here, so a program that draws nothing does without it: these are pointers, which LoadOsMesa() (off_screen.h)
+// sets.
 #pragma once
 
 #define GL_GLEXT_PROTOTYPES
@@ -66,9 +67,5 @@ namespace dgd_demos {
 #define DGD_DECLARE_GL_FUNCTION(name) extern decltype(&::name) name;
 DGD_GL_FUNCTIONS(DGD_DECLARE_GL_FUNCTION)
 #undef DGD_DECLARE_GL_FUNCTION
-
-/// Loads OSMesa, once a program; the functions can then be called.
-/// @throws std::runtime_error if it is not installed.
-void LoadGl();
 
 }  // namespace dgd_demos

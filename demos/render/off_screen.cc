@@ -12,7 +12,7 @@ OffScreen::OffScreen(int width, int height)
       height_(height),
       rgba_(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
       context_(nullptr, [](osmesa_context* context) { OSMesaDestroyContext(context); }) {
-  LoadGl();
+  LoadOsMesa();
   constexpr int kDepthBits = 24, kStencilBits = 0, kAccumulationBits = 0;
   context_.reset(OSMesaCreateContextExt(OSMESA_RGBA, kDepthBits, kStencilBits, kAccumulationBits, nullptr));
   if (context_ == nullptr) throw std::runtime_error("OSMesa gives no context for off-screen rendering");

@@ -9,10 +9,14 @@ struct osmesa_context;
 
 namespace dgd_demos {
 
+/// Loads OSMesa, once a program. OffScreen does so as well: this is for a program that would draw only after long work.
+/// @throws std::runtime_error if it is not installed, or is damaged.
+void LoadOsMesa();
+
 class OffScreen {
  public:
   /// Makes the context and binds it to the calling thread.
-  /// @throws std::runtime_error if OSMesa gives no context.
+  /// @throws std::runtime_error if OSMesa cannot be loaded or gives no context.
   OffScreen(int width, int height);
   OffScreen(const OffScreen&) = delete;  // OSMesa keeps a pointer to the pixels.
   OffScreen& operator=(const OffScreen&) = delete;

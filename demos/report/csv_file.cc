@@ -29,7 +29,7 @@ void CsvFile::Flush() {
 
 void CsvFile::Serialize(StateArchive& archive) {
   Flush();
-  SerializeFileSize(archive, file_);
+  SerializeContinuedFile(archive, file_);
 }
 
 void CsvFile::CheckWritten() const {

@@ -87,7 +87,7 @@ void NpyFile::Flush() {
 
 void NpyFile::Serialize(StateArchive& archive) {
   if (!archive.is_reading()) Flush();
-  written_ = SerializeFileSize(archive, file_, kHeadSize) - kHeadSize;
+  written_ = SerializeContinuedFile(archive, file_, kHeadSize) - kHeadSize;
   Flush();
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/gl.h"
+#include "render/off_screen.h"
 #include "report/comparison_table.h"
 #include "report/output_folder.h"
 #include "report/pictures.h"
@@ -39,7 +39,7 @@ ExitStatus Run(const RunOptions& options) {
   for (const std::string& remark : source.remarks()) std::fprintf(stderr, "%s\n", remark.c_str());
   std::vector<NarrowphaseChoice> narrowphases;
   for (const std::string& name : options.narrowphases) narrowphases.push_back(NarrowphaseChoice::Named(name));
-  if (options.draw_snapshots) LoadGl();  // A program that cannot draw says so before it has run for hours.
+  if (options.draw_snapshots) LoadOsMesa();  // A program that cannot draw says so before it has run for hours.
   MakeOutputFolder(options.out);
   const FolderLock lock(options.out);
 

@@ -52,7 +52,7 @@ struct SingleBody {
 using BodyGroup = std::variant<RandomPolytopes, SingleBody>;
 
 inline constexpr double kMaxDuration = 3600;  ///< s; a slip if it is longer.
-inline constexpr double kMaxSteps = 1e9;      ///< Of a run.
+inline constexpr double kMaxSteps = 1e9;      ///< Of a run; an int has room for them.
 inline constexpr double kMaxTimeStep = 0.1;   ///< s; a slip if it is longer.
 
 /// Of Bullet's contact solver; as Bullet has them, unless the file says otherwise.

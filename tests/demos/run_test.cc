@@ -170,6 +170,18 @@ TEST_F(RunTest, PictureThatCannotBeWritten_LeavesTheTable) {
   EXPECT_TRUE(std::filesystem::exists(Path("out/summary.csv")));
 }
 
+// A program that cannot draw says so before it runs, and runs without pictures.
+TEST_F(RunTest, WithoutOsMesa_OnlyPicturesAreRefused) {
+  folder_.Write("libOSMesa.so.8", "");
+  const std::string run = "LD_LIBRARY_PATH=" + folder_.path().string() + " " + DGD_TEST_HEADLESS_SIM + " run " +
+                          scene_ + " --duration 0.05 --out " + Path("out");
+  const Outcome outcome = dgd_test::RunProgram("env", run);
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(Count(outcome.output, "no pictures can be drawn: "), 1) << outcome.output;
+  EXPECT_FALSE(std::filesystem::exists(Path("out/dgd.csv")));
+  EXPECT_EQ(dgd_test::RunProgram("env", run + " --no-snapshots").status, 0);
+}
+
 // At whatever moment it is stopped.
 TEST_F(RunTest, StoppedWhileItDraws_EndsAsOneThatIsStoppedWhileItRuns) {
   const Outcome outcome =

@@ -99,15 +99,15 @@ TEST_F(CheckpointFileTest, ListThatDoesNotFit_IsRefusedBeforeItIsMade) {
 TEST_F(CheckpointFileTest, ContinuedFile_IsCutBack) {
   const std::filesystem::path file = folder_.Write("rows.csv", "one\n");
   StateArchive written;
-  EXPECT_EQ(SerializeFileSize(written, file), 4U);
+  EXPECT_EQ(SerializeContinuedFile(written, file), 4U);
   std::ofstream(file, std::ios::app) << "two\n";
   StateArchive archive(written.bytes(), "place");
-  EXPECT_EQ(SerializeFileSize(archive, file), 4U);
+  EXPECT_EQ(SerializeContinuedFile(archive, file), 4U);
   EXPECT_EQ(ReadWholeFile(file), "one\n");
 
   folder_.Write("rows.csv", "o");
   StateArchive again(written.bytes(), "place");
-  EXPECT_THROW(SerializeFileSize(again, file), std::runtime_error) << "what is missing cannot be made up for";
+  EXPECT_THROW(SerializeContinuedFile(again, file), std::runtime_error) << "what is missing cannot be made up for";
 }
 
 TEST_F(CheckpointFileTest, ContinuedFile_MustEndAsItDid) {
@@ -116,15 +116,15 @@ TEST_F(CheckpointFileTest, ContinuedFile_MustEndAsItDid) {
   for (int i = 0; i < 100; ++i) rows += row;
   const std::filesystem::path file = folder_.Write("rows.npy", "head 1\n" + rows);
   StateArchive written;
-  SerializeFileSize(written, file, 7);
+  SerializeContinuedFile(written, file, 7);
   folder_.Write("rows.npy", "head 2\n" + rows + row);
   StateArchive longer(written.bytes(), "place");
-  EXPECT_EQ(SerializeFileSize(longer, file, 7), 7 + rows.size()) << "the head counts more rows now";
+  EXPECT_EQ(SerializeContinuedFile(longer, file, 7), 7 + rows.size()) << "the head counts more rows now";
 
   rows[rows.size() - 60'000] = 'y';
   folder_.Write("rows.npy", "head 2\n" + rows + row);
   StateArchive another(written.bytes(), "place");
-  EXPECT_THROW(SerializeFileSize(another, file, 7), std::runtime_error);
+  EXPECT_THROW(SerializeContinuedFile(another, file, 7), std::runtime_error);
   EXPECT_EQ(std::filesystem::file_size(file), 7 + rows.size() + row.size()) << "a file that is refused stays whole";
 }
 

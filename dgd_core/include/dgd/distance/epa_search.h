@@ -31,30 +31,30 @@ namespace dgd::distance_internal {
 /// The search about an origin inside of K, or on its border. Lengths in metres, in the ray's frame, as in PlaneSearch.
 template <class Set1, class Set2>
 class EpaSearch : protected PieceSearch<Set1, Set2> {
-  using Planes = PieceSearch<Set1, Set2>;
+  using Base = PieceSearch<Set1, Set2>;
 
  public:
-  using Planes::Planes;
-  using typename Planes::Difference;
-  using typename Planes::Feature;
-  using typename Planes::Point;
-  using typename Planes::S;
+  using Base::Base;
+  using typename Base::Difference;
+  using typename Base::Feature;
+  using typename Base::Point;
+  using typename Base::S;
 
  protected:
-  using Planes::best_;
-  using Planes::Cut;
-  using Planes::difference_;
-  using Planes::is_news_;
-  using Planes::is_stationary_;
-  using Planes::IsExhausted;
-  using Planes::RoundoffBound;
-  using Planes::size_;
-  using Planes::SupportError;
-  using Planes::TangentsAt;
-  using Planes::Tolerance;
-  using typename Planes::Corners;
-  using typename Planes::LocalMinimum;
-  using typename Planes::Tangents;
+  using Base::best_;
+  using Base::Cut;
+  using Base::difference_;
+  using Base::is_news_;
+  using Base::is_stationary_;
+  using Base::IsExhausted;
+  using Base::RoundoffBound;
+  using Base::size_;
+  using Base::SupportError;
+  using Base::TangentsAt;
+  using Base::Tolerance;
+  using typename Base::Corners;
+  using typename Base::LocalMinimum;
+  using typename Base::Tangents;
 
   bool IsOptimal() const { return nearest_ + best_.height <= Tolerance(); }
 
@@ -79,8 +79,8 @@ class EpaSearch : protected PieceSearch<Set1, Set2> {
     nearest_ = std::numeric_limits<S>::infinity();
     EpaPolytope<S> polytope(corners, SupportError(), size_);
     const auto finish = [&](Status status) {
-      if (minimum_ && !IsBeaten(*minimum_)) return FinishAt(*minimum_);
       if constexpr (Difference::kIsPolytope) polytope.Leave(corners_.emplace());
+      if (HasMinimum()) return FinishAt(*minimum_);
       return Finish(status, polytope.NearestTo(best_.height * best_.normal));
     };
     for (;;) {
@@ -140,7 +140,7 @@ class EpaSearch : protected PieceSearch<Set1, Set2> {
   /// The best normal nearby the best plane's, once no normal elsewhere is much better; nothing before, and if there is
   /// none to be found. Another one where a better plane turns up elsewhere.
   const std::optional<LocalMinimum>& FindMinimum(const EpaPolytope<S>& polytope) requires(Difference::kIsSmooth) {
-    if (minimum_ && IsBeaten(*minimum_)) {
+    if (minimum_ && !HasMinimum()) {
       minimum_.reset();
       may_descend_ = true;
     }
@@ -151,7 +151,8 @@ class EpaSearch : protected PieceSearch<Set1, Set2> {
     return minimum_;
   }
 
-  bool IsBeaten(const LocalMinimum& minimum) const { return best_.height < minimum.plane.height - Tolerance(); }
+  /// Whether a local minimum was found, and no plane since then is better.
+  bool HasMinimum() const { return minimum_ && !(best_.height < minimum_->plane.height - Tolerance()); }
 
   /// With a normal that is the best nearby, and none elsewhere much better. Another plane may be better by less than
   /// the tolerance, and far away: its foot is not this one's.
@@ -213,7 +214,7 @@ class EpaSearch : protected PieceSearch<Set1, Set2> {
     const Point target = best_.height * best_.normal;
     const GjkSimplex<S> triangle = polytope.TriangleNearestTo(target);
     if constexpr (Difference::kIsSmooth) {
-      if (!minimum_) minimum_ = this->Descend(this->CornersOf(triangle));
+      if (!HasMinimum()) minimum_ = this->Descend(this->CornersOf(triangle));
       if (minimum_ && IsBestElsewhere()) return FinishAt(*minimum_);
     }
     Feature of_inner = triangle.Combination();
@@ -281,7 +282,8 @@ class EpaSearch : protected PieceSearch<Set1, Set2> {
   /// A tetrahedron that is thicker than so many units of roundoff has faces whose normals keep some digits.
   static constexpr S kFlat = 1024;
   /// Cosine to a local minimum's normal of those that it is taken to be the best of: 3.6 degrees. Of 84000 pairs of
-  /// curved sets in overlap, one ends 1e-4 of the depth above the best normal so; with 8 degrees, 14.
+  /// curved sets in overlap, none ends 1e-4 of the depth above what the polytope alone finds; with 8 degrees, 11 do, by
+  /// up to 0.7 %.
   static constexpr S kNearby = S(0.998);
   /// Of a triangle about the best plane: about 30 degrees.
   static constexpr S kWidest = S(0.5);

@@ -7,11 +7,11 @@
 //     h_1 + <g_1, s> = h_i + <g_i, s>,
 //
 // and has the least value of their Lagrangian, of which the weights are those of the pieces' points in the point of
-// their simplex that is nearest to the origin: sequential quadratic programming. With the origin outside of the set,
-// the Lagrangian is convex. With the origin inside it need not be, and the step goes downhill as far as it is told.
+// their simplex that is nearest to the origin, or to its foot on the set's supporting plane if the origin is inside:
+// sequential quadratic programming. With the origin outside, the Lagrangian is convex. With the origin inside it need
+// not be, and the step goes downhill as far as it is told.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -64,8 +64,8 @@ class KinkModel {
   }
 
   std::size_t Size() const { return pieces_.size; }
-  /// Of the Lagrangian: the pieces' mean. The Hessian is infinite where a support function has no second derivative:
-  /// along a rim's axis.
+  /// Of the Lagrangian, the pieces' weighed mean, at the normal; metres. The Hessian is not finite where a support
+  /// function has no second derivative: along a rim's axis.
   S Height() const { return height_; }
   const Vector2<S>& Gradient() const { return gradient_; }
   const SquareMatrix<S, 2>& Hessian() const { return hessian_; }
@@ -86,8 +86,8 @@ class KinkModel {
     return true;
   }
 
-  /// @param step  Not beyond 45 degrees: the model is one of the normal's surroundings.
-  /// @return with what the Lagrangian falls by as its gain.
+  /// @param step  Across the normal, in its length. It ends at 45 degrees: the model is one of the surroundings.
+  /// @return with what the Lagrangian falls by as its gain; not valid if the step is not finite.
   NormalStep<S> Take(Vector2<S> step) const {
     NormalStep<S> result;
     const S length = step.norm();
@@ -110,8 +110,7 @@ class KinkModel {
 
 /// With the origin outside of the set.
 /// @return not valid if the pieces' points are in line with the normal, or alike, or if a support function has no
-/// second
-///         derivative there.
+///         second derivative there.
 template <class S>
 NormalStep<S> StepOnKink(const KinkModel<S>& kink) {
   if (!kink.Hessian().allFinite()) return {};

@@ -67,7 +67,7 @@ class PieceSearch : protected PlaneSearch<Set1, Set2> {
   /// Pieces of the two cores: their support points, each once, and what is known about them.
   struct Pieces {
     Corners support;
-    PieceModels<S> models;  ///< Without weights.
+    PieceModels<S> models;  ///< With weights of 0.
   };
 
   /// The pieces that points are on, about a normal.
@@ -103,10 +103,11 @@ class PieceSearch : protected PlaneSearch<Set1, Set2> {
       const Point foot = height * normal;
       corners.Include(best_.support);
       const Tangents tangents = TangentsAt(normal);
-      Pieces pieces = PiecesOf(corners, normal, tangents);
+      const Pieces pieces = PiecesOf(corners, normal, tangents);
       corners = pieces.support;
-      const GjkSimplex<S> nearest = Weigh(pieces, foot);
-      const KinkModel<S> kink(normal, tangents, pieces.models);
+      const GjkSimplex<S> nearest = HullAbout(foot, corners);
+      const PieceModels<S> holding = HoldingPieces(pieces, nearest);
+      const KinkModel<S> kink(normal, tangents, holding);
       const NormalStep<S> step = StepDownKink(kink, reach, Tolerance());
       // Of the best plane, which is as high as the highest piece.
       const S gain = height - kink.Height() + step.gain;
@@ -127,25 +128,27 @@ class PieceSearch : protected PlaneSearch<Set1, Set2> {
   }
 
  private:
-  /// Gives the pieces their points' weights in the point of their hull that is nearest to a plane's foot, and drops
-  /// those without: but not one of two, to which the other may have to be leveled.
-  /// @return that point, about the foot.
-  static GjkSimplex<S> Weigh(Pieces& pieces, const Point& foot) {
-    Corners about = pieces.support;
-    for (Feature& corner : about.points) corner.point -= foot;
-    const GjkSimplex<S> nearest(about.points, about.size);
-    PieceModels<S> weighed;
-    for (std::size_t i = 0; i < about.size; ++i) {
+  /// What of the corners' hull is nearest to a point, about that point.
+  static GjkSimplex<S> HullAbout(const Point& target, Corners corners) {
+    for (std::size_t i = 0; i < corners.size; ++i) corners.points[i].point -= target;
+    return {corners.points, corners.size};
+  }
+
+  /// The pieces with a point among the nearest ones, with these points' weights; of two pieces both, since the other
+  /// one may have to be made level.
+  static PieceModels<S> HoldingPieces(const Pieces& pieces, const GjkSimplex<S>& nearest) {
+    PieceModels<S> holding;
+    const Corners& support = pieces.support;
+    for (std::size_t i = 0; i < support.size; ++i) {
       S weight = 0;
       for (std::size_t j = 0; j < nearest.Size(); ++j) {
-        if (about.points[i].HasFeaturesOf(nearest[j])) weight = nearest.Weight(j);
+        if (support.points[i].HasFeaturesOf(nearest[j])) weight = nearest.Weight(j);
       }
-      if (!(weight > 0) && about.size != 2) continue;
-      weighed[weighed.size] = pieces.models[i];
-      weighed[weighed.size++].weight = weight;
+      if (!(weight > 0) && support.size != 2) continue;
+      holding[holding.size] = pieces.models[i];
+      holding[holding.size++].weight = weight;
     }
-    pieces.models = weighed;
-    return nearest;
+    return holding;
   }
 
   /// Newton's steps are two to four; those against the curvature begin with so many radians, and are shortened.
