@@ -28,7 +28,7 @@ case ${1-} in
     # or how deep they are, which is no matter of memory.
     still='SharedManifold.BoxesOn*Mesh*:MeshContacts.BodiesOnAFineMesh*:FrictionAnchors.Pyramid*:HullsOnMesh.LeanHull*'
     moving='MeshContacts.RollingBall*:MeshContacts.SlidingBody*:Experiments/*:PairHistory.BodiesThatComeNearer*'
-    export GTEST_FILTER="${GTEST_FILTER:--AllTypes/*_Register:$still:$moving:NormalMode.OverlappingHulls*}"
+    export GTEST_FILTER="${GTEST_FILTER:--AllTypes/*_Register:$still:$moving}"
     ;;
   tsan)
     preset=tsan

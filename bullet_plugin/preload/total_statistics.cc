@@ -27,7 +27,7 @@ void AddPair(const PairStatistics& pair, PairStatistics& total) {
   total.calls += pair.calls;
   total.separated += pair.separated;
   total.resting += pair.resting;
-  total.followed += pair.followed;
+  total.deep += pair.deep;
   total.solved += pair.solved;
   total.worst_gap = std::max(total.worst_gap, pair.worst_gap);
   AddEach(pair.iterations, total.iterations);

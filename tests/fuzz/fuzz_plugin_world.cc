@@ -35,8 +35,7 @@ dgd_bullet::Options ReadOptions(FuzzInput& input) {
   options.on_first_fallback = nullptr;
   options.contact_patch = input.Below(8) != 0;
   options.patch_size = 1 + input.Below(4);
-  options.normal_mode =
-      input.Below(4) == 0 ? dgd_bullet::NormalMode::kGrowth : dgd_bullet::NormalMode::kLeastTranslation;
+  input.Below(4);  // An option that is no more: the corpus keeps its meaning.
   options.geometry_mode = input.Below(4) == 0 ? dgd_bullet::GeometryMode::kSharp : dgd_bullet::GeometryMode::kBullet;
   options.speculative_contacts = input.Below(4) != 0;
   options.friction_anchors = input.Below(4) != 0;

@@ -95,7 +95,7 @@ std::vector<Family> MakeFamilies() {
       if (type == BOX_SHAPE_PROXYTYPE) {
         // The built-in rounds boxes by their margin: with this one, both see the same.
         auto& box = static_cast<btBoxShape&>(*shape.shape);
-        box.setMargin(btScalar(EdgeRadius(box)));
+        box.setMargin(0);
       }
       families[type].name = names.at(type);
       families[type].members.push_back(std::move(shape));

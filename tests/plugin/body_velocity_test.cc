@@ -121,7 +121,6 @@ TEST(OfABaseAlone, ForcesMoveItAsARigidBody) {
   const dgd_bullet::PairMotion motion(dgd_bullet::BoundedBody(base), dgd_bullet::BoundedBody(*rigid), kTime);
   EXPECT_NEAR(motion.Approach(dgd_bullet::Vector3::Zero(), dgd_bullet::Vector3::UnitZ()), -3 * kTime * kTime, 1e-12);
   EXPECT_NEAR(motion.Approach(dgd_bullet::Vector3::Zero(), dgd_bullet::Vector3::UnitX()), kTime, 1e-9);
-  EXPECT_NEAR(motion.ShareOfA(), 0.75, 1e-6);
 }
 
 }  // namespace

@@ -8,10 +8,6 @@
 namespace dgd_test {
 namespace {
 
-/// Boxes are as good as sharp: their edges' radius is this part of their least half extent, or their margin if that is
-/// less.
-constexpr double kEdgeRadius = 1.0 / 512;
-
 /// Null for all but boxes: not for a shape that is made of one.
 const btBoxShape* AsBox(const btConvexShape& shape) {
   return shape.getShapeType() == BOX_SHAPE_PROXYTYPE ? static_cast<const btBoxShape*>(&shape) : nullptr;
@@ -19,9 +15,9 @@ const btBoxShape* AsBox(const btConvexShape& shape) {
 
 Vector HalfExtents(const btBoxShape& box) { return ToEigen(box.getHalfExtentsWithMargin()); }
 
-/// Of what is within the edges' radius, the corner farthest along a direction of the box's frame.
-Vector CoreCorner(const btBoxShape& box, const Vector& direction) {
-  const Vector core = (HalfExtents(box).array() - EdgeRadius(box)).max(0.0);
+/// The corner farthest along a direction of the box's frame.
+Vector CornerAlong(const btBoxShape& box, const Vector& direction) {
+  const Vector core = HalfExtents(box);
   return {std::copysign(core.x(), direction.x()), std::copysign(core.y(), direction.y()),
           std::copysign(core.z(), direction.z())};
 }
@@ -36,13 +32,9 @@ btTransform MakeTransform(const Eigen::Matrix3d& rotation, const Vector& transla
   return btTransform(basis, ToBullet(translation));
 }
 
-double EdgeRadius(const btBoxShape& box) {
-  return std::min(double(box.getMargin()), kEdgeRadius * HalfExtents(box).minCoeff());
-}
-
 double PosedConvex::Margin() const {
   const btBoxShape* box = AsBox(shape);
-  return box != nullptr ? EdgeRadius(*box) : double(shape.getMarginNonVirtual());
+  return box != nullptr ? 0 : double(shape.getMarginNonVirtual());
 }
 
 Vector PosedConvex::CoreSupport(const Vector& direction) const {
@@ -50,7 +42,7 @@ Vector PosedConvex::CoreSupport(const Vector& direction) const {
   for (int row = 0; row < 3; ++row) rotation.row(row) = ToEigen(pose.getBasis()[row]);
   const Vector local = rotation.transpose() * direction.normalized();
   const btBoxShape* box = AsBox(shape);
-  const Vector support = box != nullptr ? CoreCorner(*box, local)
+  const Vector support = box != nullptr ? CornerAlong(*box, local)
                                         : ToEigen(shape.localGetSupportVertexWithoutMarginNonVirtual(ToBullet(local)));
   return rotation * support + ToEigen(pose.getOrigin());
 }

@@ -18,11 +18,8 @@ btTransform MakeTransform(const Eigen::Matrix3d& rotation, const Vector& transla
 /// Not turned.
 inline btTransform At(double x, double y, double z) { return MakeTransform(Eigen::Matrix3d::Identity(), {x, y, z}); }
 
-/// Radius of a box's edges, within its size; metres.
-double EdgeRadius(const btBoxShape& box);
-
-/// A convex shape in a pose, as Bullet's GJK sees it, core plus margin; a box of full size, its margin the radius of
-/// its edges. Refers to both.
+/// A convex shape in a pose, as Bullet's GJK sees it, core plus margin; a box of full size, sharp. Refers to
+/// both.
 struct PosedConvex {
   const btConvexShape& shape;
   const btTransform& pose;

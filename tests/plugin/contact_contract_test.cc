@@ -254,17 +254,13 @@ TEST_F(ClosedForm, SphereOnBoxFace) {
   }
 }
 
-// A box's edges and corners are rounded a little.
 TEST_F(ClosedForm, SphereOnBoxEdgeAndCorner) {
-  const double radius = EdgeRadius(box_);
-  const Vector core = Vector(0.5, 0.4, 0.3) - Vector::Constant(radius);
+  const Vector core(0.5, 0.4, 0.3);
   const Vector edge_normal = Vector(1, 0, 1).normalized(), corner_normal = Vector(1, 2, 2).normalized();
   for (const double depth : {-0.002, 0.0, 0.004}) {
     const Vector edge(core.x(), 0.1, core.z());
-    ExpectContact(ball_, edge + (radius + 0.25 + depth) * edge_normal, box_, depth, edge_normal,
-                  edge + radius * edge_normal);
-    ExpectContact(ball_, core + (radius + 0.25 + depth) * corner_normal, box_, depth, corner_normal,
-                  core + radius * corner_normal);
+    ExpectContact(ball_, edge + (0.25 + depth) * edge_normal, box_, depth, edge_normal, edge);
+    ExpectContact(ball_, core + (0.25 + depth) * corner_normal, box_, depth, corner_normal, core);
   }
 }
 
@@ -284,15 +280,13 @@ TEST_F(ClosedForm, CapsulesCrossing) {
   }
 }
 
-// A corner pushed into a face: the core's corner is deepest, and the surface is outside it by its edges' radius.
 TEST_F(ClosedForm, BoxCornerOnBoxFace) {
-  const double radius = EdgeRadius(box_);
   const Vector down = Vector(1, 2, 2) / 3;  // Of the tilted box, in its own frame, towards its corner (+, +, +).
   const Eigen::Matrix3d tilt =
       Eigen::AngleAxisd(std::acos(-down.z()), down.cross(-Vector::UnitZ()).normalized()).toRotationMatrix();
-  const Vector corner = Vector(0.5, 0.4, 0.3) - Vector::Constant(radius);
+  const Vector corner(0.5, 0.4, 0.3);
   for (const double depth : {-0.001, 0.0, 0.004}) {
-    const Vector corner_in_world(0.1, 0.05, 0.3 + radius + depth);
+    const Vector corner_in_world(0.1, 0.05, 0.3 + depth);
     btBoxShape cube(Vec(0.5, 0.4, 0.3));
     ExpectContact(cube, corner_in_world - tilt * corner, box_, depth, Vector::UnitZ(), {0.1, 0.05, 0.3}, tilt);
   }

@@ -265,7 +265,7 @@ TEST(RestingPairOption, EdgesThatAreCarriedAlong_AreFoundAnew) {
   const Eigen::Matrix3d on_edge_x = Eigen::AngleAxisd(0.25 * std::numbers::pi, Vector::UnitX()).toRotationMatrix(),
                         on_edge_y = Eigen::AngleAxisd(0.25 * std::numbers::pi, Vector::UnitY()).toRotationMatrix();
   btBoxShape& box = world.Make<btBoxShape>(Vec(0.5, 0.5, 0.5));
-  const double radius = EdgeRadius(box), to_edge = std::sqrt(2.0) * (0.5 - radius) + radius;
+  const double to_edge = std::sqrt(0.5);
   btRigidBody& below = world.Add(box, 0, Vec(0, 0, 0));
   btRigidBody& above = world.Add(box, 1, Vec(0, 0, 0));
   for (int step = 0; step <= 10; ++step) {
@@ -286,9 +286,8 @@ TEST(RestingPairOption, OnOneContact_CornersAreKeptAndBallsFoundAnew) {
   for (const bool is_ball : {false, true}) {
     TestWorld world(Route::kConfiguration, Counting());
     btBoxShape& box = world.Make<btBoxShape>(Vec(0.5, 0.5, 0.5));
-    const double radius = EdgeRadius(box);
     btConvexShape* shape = &box;
-    double reach = std::sqrt(3.0) * (0.5 - radius) + radius;
+    double reach = std::sqrt(0.75);
     if (is_ball) {
       shape = &world.Make<btSphereShape>(btScalar(0.5));
       reach = 0.5;

@@ -49,12 +49,11 @@ class ManifoldContent : public testing::Test {
   btBoxShape box_{Vec(0.5, 0.3, 0.2)};
 };
 
-TEST_F(ManifoldContent, BoxOnFloor_FourPointsSpanTheFaceWithoutItsRounding) {
+TEST_F(ManifoldContent, BoxOnFloor_FourPointsSpanTheFace) {
   const std::vector<Contact> contacts = Lay(box_, At(0.3, 0.2, 0.199));
   EXPECT_EQ(contacts.size(), 4U);
-  const double radius = EdgeRadius(box_);
-  EXPECT_NEAR(Span(contacts).x(), 1 - 2 * radius, kLength);
-  EXPECT_NEAR(Span(contacts).y(), 0.6 - 2 * radius, kLength);
+  EXPECT_NEAR(Span(contacts).x(), 1, kLength);
+  EXPECT_NEAR(Span(contacts).y(), 0.6, kLength);
 }
 
 TEST_F(ManifoldContent, BoxOnBox_FourPointsSpanTheCommonPart) {
@@ -62,9 +61,8 @@ TEST_F(ManifoldContent, BoxOnBox_FourPointsSpanTheCommonPart) {
   pair.SetPoses(At(0.3, 0.1, 0.399), At(0, 0, 0));
   const std::vector<Contact> contacts = pair.Step();
   EXPECT_EQ(contacts.size(), 4U);
-  const double radius = EdgeRadius(box_);
-  EXPECT_NEAR(Span(contacts).x(), 0.7 - 2 * radius, kLength);
-  EXPECT_NEAR(Span(contacts).y(), 0.5 - 2 * radius, kLength);
+  EXPECT_NEAR(Span(contacts).x(), 0.7, kLength);
+  EXPECT_NEAR(Span(contacts).y(), 0.5, kLength);
 }
 
 /// Distance of a point to the nearest of a box's corners, which are sharp.
@@ -100,9 +98,8 @@ TEST_F(ManifoldContent, BoxCrossingBox_FourPointsSpanTheCrossing) {
   pair.SetPoses(Turned(Vector::UnitZ(), kPi / 2, {0, 0, 0.199}), At(0, 0, 0));
   const std::vector<Contact> contacts = pair.Step();
   EXPECT_EQ(contacts.size(), 4U);
-  const double side = 0.4 - 2 * EdgeRadius(plank);
-  EXPECT_NEAR(Span(contacts).x(), side, kLength);
-  EXPECT_NEAR(Span(contacts).y(), side, kLength);
+  EXPECT_NEAR(Span(contacts).x(), 0.4, kLength);
+  EXPECT_NEAR(Span(contacts).y(), 0.4, kLength);
 }
 
 // Two corners opposite to each other, and one on either side: whichever these are, their area is the same.
@@ -155,11 +152,10 @@ TEST_F(ManifoldContent, SphereOnFloor_OnePoint) {
 
 TEST_F(ManifoldContent, BoxOnItsEdge_TwoPointsAlongIt) {
   btBoxShape cube(Vec(0.5, 0.5, 0.5));
-  const double radius = EdgeRadius(cube);
-  const double height = std::sqrt(2) * (0.5 - radius) + radius;
+  const double height = std::sqrt(0.5);
   const std::vector<Contact> contacts = Lay(cube, Turned(Vector::UnitX(), kPi / 4, {0, 0, height - 0.001}));
   EXPECT_EQ(contacts.size(), 2U);
-  EXPECT_NEAR(Span(contacts).x(), 1 - 2 * radius, kLength);
+  EXPECT_NEAR(Span(contacts).x(), 1, kLength);
 }
 
 TEST_F(ManifoldContent, TriangleOnFloor_ThreePoints) {
@@ -277,8 +273,8 @@ TEST_F(ManifoldContent, StalePoints_AreDroppedAfterARotation) {
   EXPECT_EQ(pair.Step().size(), 4U);
   for (const double degrees : {1.0, 5.0, 20.0, 45.0, 70.0, 89.0, 90.0}) {
     SCOPED_TRACE(degrees);
-    const double angle = degrees * kPi / 180, radius = EdgeRadius(cube);
-    const double height = (0.5 - radius) * (std::cos(angle) + std::sin(angle)) + radius;
+    const double angle = degrees * kPi / 180;
+    const double height = 0.5 * (std::cos(angle) + std::sin(angle));
     pair.SetPoses(Turned(Vector::UnitX(), angle, {0, 0, height - 0.001}), At(0, 0, -1));
     const std::vector<Contact> contacts = pair.Step();
     ASSERT_FALSE(contacts.empty());

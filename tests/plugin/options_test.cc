@@ -24,12 +24,6 @@ constexpr double kLength = 1e-5;  // Rounding of float at a metre, with some roo
 constexpr double kAsDeep = 2e-5;  // A corner that is as deep as the deepest point stands for it.
 constexpr double kPi = 3.141592653589793;
 
-dgd_bullet::Options With(dgd_bullet::NormalMode mode) {
-  dgd_bullet::Options options;
-  options.normal_mode = mode;
-  return options;
-}
-
 /// The deepest contact of a pair's first step.
 Contact DeepestOf(const dgd_bullet::Options& options, btConvexShape& a, btConvexShape& b, const btTransform& pose_a,
                   const btTransform& pose_b) {
@@ -42,7 +36,7 @@ Contact DeepestOf(const dgd_bullet::Options& options, btConvexShape& a, btConvex
 }
 
 // Bullet's EPA says 0.058 along a diagonal for two such boxes without margins.
-TEST(NormalMode, UnitBoxesOverlappingByATenth_AreATenthDeepAlongTheAxis) {
+TEST(ContactNormal, UnitBoxesOverlappingByATenth_AreATenthDeepAlongTheAxis) {
   for (const double margin : {0.0, 0.04}) {
     btBoxShape box(Vec(0.5, 0.5, 0.5));
     box.setMargin(btScalar(margin));
@@ -51,65 +45,12 @@ TEST(NormalMode, UnitBoxesOverlappingByATenth_AreATenthDeepAlongTheAxis) {
         Vector offset(0.2, 0.3, -0.1);
         offset[axis] = side * 0.9;
         const Contact contact =
-            DeepestOf(With(dgd_bullet::NormalMode::kLeastTranslation), box, box,
-                      MakeTransform(Eigen::Matrix3d::Identity(), offset), btTransform::getIdentity());
+            DeepestOf({}, box, box, MakeTransform(Eigen::Matrix3d::Identity(), offset), btTransform::getIdentity());
         EXPECT_NEAR(contact.depth, -0.1, kLength) << margin;
         EXPECT_NEAR((contact.normal_b_to_a - side * Vector::Unit(axis)).norm(), 0, kLength) << margin;
       }
     }
   }
-}
-
-// The depth that any normal reports is the separation along it; the least translation's is the least of all.
-TEST(NormalMode, OverlappingHulls_LeastTranslationIsNeverDeeperThanGrowthOrBullets) {
-  Random random(TestSeed());
-  double gained = 0;
-  for (int i = 0; i < 300; ++i) {
-    const auto a = MakeRandomHull(random, 8 + random.Below(13), 1);
-    const auto b = MakeRandomHull(random, 8 + random.Below(13), 1);
-    const btTransform pose_a = MakeTransform(random.Rotation(), random.InCube());
-    const btTransform pose_b =
-        MakeTransform(random.Rotation(), ToEigen(pose_a.getOrigin()) + random.Uniform(0.3, 0.8) * random.UnitVector());
-    Dispatching least(Route::kConfiguration, With(dgd_bullet::NormalMode::kLeastTranslation));
-    Dispatching growth(Route::kConfiguration, With(dgd_bullet::NormalMode::kGrowth));
-    Dispatching builtin(Route::kBuiltin);
-    PairQuery of_least(least.dispatcher(), *a, *b), of_growth(growth.dispatcher(), *a, *b),
-        of_builtin(builtin.dispatcher(), *a, *b);
-    for (PairQuery* pair : {&of_least, &of_growth, &of_builtin}) pair->SetPoses(pose_a, pose_b);
-    const std::vector<Contact> by_least = of_least.Step(), by_growth = of_growth.Step(), by_bullet = of_builtin.Step();
-    if (by_growth.empty() || Deepest(by_growth).depth > -0.05) continue;
-    ASSERT_FALSE(by_least.empty());
-    const auto along = [&](const Contact& contact) {
-      return PlaneSeparation(of_least.A(), of_least.B(), contact.normal_b_to_a.normalized());
-    };
-    const Contact &of_patch = Deepest(by_least), &of_other = Deepest(by_growth);
-    EXPECT_NEAR(of_patch.depth, along(of_patch), kLength + kAsDeep);
-    EXPECT_NEAR(of_other.depth, along(of_other), kLength + kAsDeep);
-    EXPECT_GE(along(of_patch), along(of_other) - kLength);
-    gained = std::max(gained, along(of_patch) - along(of_other));
-    if (!by_bullet.empty()) {
-      EXPECT_GE(along(of_patch), along(Deepest(by_bullet)) - kLength);
-    }
-    EXPECT_EQ(least.statistics().Fallbacks() + growth.statistics().Fallbacks(), 0U);
-  }
-  // Else the modes are the same.
-  EXPECT_GT(gained, 0.01);
-}
-
-TEST(NormalMode, BodiesApart_LeastTranslationTellsTheirDistance) {
-  btBoxShape box(Vec(0.5, 0.5, 0.5));
-  btSphereShape sphere(btScalar(0.1));
-  // Over a corner of the box's core, far off the line between the centres.
-  const double radius = EdgeRadius(box);
-  const Vector corner = Vector::Constant(0.5 - radius);
-  const Vector direction = Vector(1, 2, 5).normalized();
-  const Vector center = corner + (radius + 0.1 + 0.015) * direction;
-  dgd_bullet::Options options = With(dgd_bullet::NormalMode::kLeastTranslation);
-  options.contact_distance = 0.1;
-  const Contact contact =
-      DeepestOf(options, sphere, box, MakeTransform(Eigen::Matrix3d::Identity(), center), btTransform::getIdentity());
-  EXPECT_NEAR(contact.depth, 0.015, kLength);
-  EXPECT_NEAR((contact.normal_b_to_a - direction).norm(), 0, 1e-4);
 }
 
 TEST(PatchSize, BoxOnFloor_HasSoManyPointsWithTheDeepestAmongThem) {
@@ -165,14 +106,13 @@ TEST(AngularTolerance, TiltedBox_IsOnAnEdgeOnceItsFaceCountsAsOne) {
   EXPECT_LT(contacts_with(0.01), 4U);
 }
 
-TEST(GeometryMode, Bullets_BoxStandsOnAnEdgeThatIsAsGoodAsSharp) {
+TEST(GeometryMode, Bullets_BoxStandsOnASharpEdge) {
   btBoxShape box(Vec(0.5, 0.5, 0.5)), floor(Vec(5, 5, 1));
   const btTransform on_edge =
       MakeTransform(Eigen::AngleAxisd(kPi / 4, Vector::UnitX()).toRotationMatrix(), {0, 0, std::sqrt(2) * 0.5});
-  // The default, what is less than a 512th of half the box's side, and none.
-  for (const auto& [margin, radius] : {std::pair{0.04, 0.5 / 512}, {0.001, 0.001}, {0.0, 0.0}}) {
+  for (const double margin : {0.04, 0.001, 0.0}) {
     box.setMargin(btScalar(margin));
-    EXPECT_NEAR(DeepestOf({}, box, floor, on_edge, At(0, 0, -1)).depth, (std::sqrt(2) - 1) * radius, kLength);
+    EXPECT_NEAR(DeepestOf({}, box, floor, on_edge, At(0, 0, -1)).depth, 0, kLength);
     EXPECT_NEAR(DeepestOf({}, box, floor, At(0, 0, 0.499), At(0, 0, -1)).depth, -0.001, kLength);
   }
 }
@@ -189,7 +129,7 @@ TEST(GeometryMode, Bullets_ScaledBoxKeepsItsMargin) {
               kLength + kAsDeep);
 }
 
-TEST(GeometryMode, Bullets_BoxInACompoundIsAsGoodAsSharp) {
+TEST(GeometryMode, Bullets_BoxInACompoundIsSharp) {
   TestWorld world(Route::kConfiguration);
   world.AddGround();
   btBoxShape& box = world.Make<btBoxShape>(Vec(0.5, 0.5, 0.5));
@@ -201,7 +141,7 @@ TEST(GeometryMode, Bullets_BoxInACompoundIsAsGoodAsSharp) {
   const std::vector<btManifoldPoint> points = world.Points();
   EXPECT_EQ(points.size(), 2U);
   for (const btManifoldPoint& point : points) {
-    EXPECT_NEAR(double(point.getDistance()), (std::sqrt(2) - 1) * EdgeRadius(box) - 0.01, kLength);
+    EXPECT_NEAR(double(point.getDistance()), -0.01, kLength);
   }
 }
 

@@ -44,17 +44,6 @@ TEST_F(OfTwoBodies, KinematicBodyFlaggedAsNothingElse_Moves) {
   EXPECT_EQ(Way(), 2 * kTime);
 }
 
-TEST_F(OfTwoBodies, ShareOfA_IsByInverseMass) {
-  EXPECT_EQ(Motion().ShareOfA(), 0);
-  EXPECT_EQ(Motion().Reversed().ShareOfA(), 1);
-  moving_ = MakeRigidBody(shape_, 0.25, btTransform::getIdentity());
-  EXPECT_NEAR(Motion().ShareOfA(), 0.8, 1e-6);
-  // Neither gives way.
-  moving_ = MakeRigidBody(shape_, 0, btTransform::getIdentity());
-  other_ = MakeRigidBody(shape_, 0, btTransform::getIdentity());
-  EXPECT_EQ(Motion().ShareOfA(), 0.5);
-}
-
 // The rim is off its tangent by R (1 - cos(angle)) and R (angle - sin(angle)).
 TEST_F(OfTwoBodies, MaxArc_IsNoLessThanTheRimsWayOffItsTangent) {
   moving_ = MakeRigidBody(shape_, 1, btTransform::getIdentity());

@@ -33,10 +33,11 @@ TEST_F(Counted, EachCall_IsCountedOnceByItsEnd) {
   pair.SetPoses(At(0, 0, 0), At(0, 0, 3));
   pair.Step();
   pair.SetPoses(At(0, 0, 0), At(0, 0, 0.8));
-  pair.Step();  // Cores overlap by 0.12.
+  pair.Step();
   pair.SetPoses(At(0, 0, 0), At(0, 0, 0.999));
-  pair.Step();  // ... and are apart: both followed.
-  pair.Step();  // As before.
+  pair.Step();
+  pair.SetPoses(At(0, 0, 0), At(0, 0, 0.3));
+  pair.Step();  // Deep in each other.
   const dgd_bullet::Statistics statistics = dispatching_.statistics();
   ASSERT_EQ(statistics.pairs.size(), 1U);
   const dgd_bullet::PairStatistics& boxes = statistics.pairs[0];
@@ -44,8 +45,8 @@ TEST_F(Counted, EachCall_IsCountedOnceByItsEnd) {
   EXPECT_EQ(boxes.type_1, int(BOX_SHAPE_PROXYTYPE));
   EXPECT_EQ(boxes.calls, 4U);
   EXPECT_EQ(boxes.separated, 1U);
-  EXPECT_EQ(boxes.solved, 1U);
-  EXPECT_EQ(boxes.followed, 2U);
+  EXPECT_EQ(boxes.solved, 3U);
+  EXPECT_EQ(boxes.deep, 1U);
   EXPECT_EQ(boxes.Fallbacks(), 0U);
   EXPECT_EQ(Sum(boxes.iterations), boxes.calls);
   EXPECT_EQ(Sum(boxes.patch_sizes), boxes.calls);
@@ -97,7 +98,7 @@ TEST_F(Counted, Json_SaysTheSame) {
   EXPECT_EQ(row["type_1"], "SPHERE");
   EXPECT_EQ(row["calls"], statistics.pairs[0].calls);
   EXPECT_EQ(row["separated"], statistics.pairs[0].separated);
-  EXPECT_EQ(row["followed"], statistics.pairs[0].followed);
+  EXPECT_EQ(row["deep"], statistics.pairs[0].deep);
   EXPECT_EQ(row["solved"], statistics.pairs[0].solved);
   EXPECT_EQ(row["fallbacks_not_converged"], 0);
   EXPECT_EQ(row["iterations"].size(), statistics.pairs[0].iterations.size());

@@ -78,7 +78,7 @@ done
 "$run" --set contact_patch=off --set patch_size=1 --statistics "$linked" one >out 2>statistics ||
   complain "one point a step fails:" out statistics
 expect '"patch_sizes": \[[0-9]+, [1-9][0-9]*, 0, 0, 0\]' statistics
-DGD_BULLET_OPTIONS=normal_mode=growth,geometry_mode=sharp "$run" --set warm_start=off "$linked" one >out
+DGD_BULLET_OPTIONS=contact_patch=on,geometry_mode=sharp "$run" --set warm_start=off "$linked" one >out
 
 # Errors are reported before the app starts.
 # A copy of the script alone, and one in a folder that LD_PRELOAD would split.

@@ -8,13 +8,6 @@ inline namespace DGD_BULLET_PRECISION {
 
 class Recorder;
 
-/// Along which normal two bodies touch. Either is the exact one where they only touch, and the reported depth is always
-/// the separation along the reported normal.
-enum class NormalMode {
-  kGrowth,            ///< The growth distance's: the fastest; where bodies overlap it depends on their centres.
-  kLeastTranslation,  ///< The one along which the bodies overlap least, or are farthest apart.
-};
-
 /// What the bodies' surfaces are.
 enum class GeometryMode {
   kBullet,  ///< What Bullet sees: each shape's core, rounded by its margin; boxes of full size with edges as good as
@@ -55,12 +48,6 @@ struct Options {
   /// those that rebound (combined restitution above 0) only where they touch or will within it.
   double contact_distance = 0;
 
-  /// The default is what Bullet's own narrowphase seeks: the depth that apps read is the least way out. In piles it
-  /// makes little difference (scenes/studies, fifty polytopes, median of 20 seeds, float): with the growth
-  /// distance's normals bodies are 4 % less deep at worst, as deep at rest, come to rest 5 % later, and cost a tenth
-  /// less time.
-  NormalMode normal_mode = NormalMode::kLeastTranslation;
-
   /// Bounding boxes stay Bullet's, margins included, in either mode.
   GeometryMode geometry_mode = GeometryMode::kBullet;
 
@@ -70,12 +57,6 @@ struct Options {
   /// Physics: a sweep says whether bodies meet, so that those that pass by are not touched; restitution is that of the
   /// moment of touching (tests/physics: restitution, no ghosts). Off: fast bodies overlap first, or tunnel.
   bool speculative_contacts = true;
-
-  /// A cylinder or prism of many sides that wobbles on a flat side, as a spun coin does, also gets a contact where its
-  /// rim will be deepest at the end of the step, and comes to rest within seconds. Needs contact_patch.
-  /// Physics: this takes energy that theory keeps, the more the longer the step: a disc 0.8 m across, spun steadily at
-  /// a tilt of 0.6 rad, lies after 2.2 s at 240 Hz and after 0.7 s at 60 Hz, where it should spin on.
-  bool rim_damping = false;
 
   /// Contacts of faces that stick are anchored where they stuck: Bullet's solver corrects what they have slipped by
   /// since, within the friction cone, and piles do not creep: the blocks of scenes/pyramid_28.json move by 37 mm in a

@@ -29,14 +29,13 @@ struct PairStatistics : FallbackCounts {
   /// Bullet's numbers of the types (BOX_SHAPE_PROXYTYPE ...), type_0 <= type_1.
   int type_0 = 0, type_1 = 0;
 
-  std::uint64_t calls = 0;      ///< Calls of processCollision(): the sum of the next four and the fallbacks.
+  std::uint64_t calls = 0;      ///< Calls of processCollision(): the sum of the next three and the fallbacks.
   std::uint64_t separated = 0;  ///< Early exits: proven to be apart by more than the query's distance.
   std::uint64_t resting = 0;    ///< Nothing had moved, or all together: the contacts were recycled.
-  std::uint64_t followed = 0;   ///< Cores apart: the signed distance was updated, without a growth distance.
   std::uint64_t solved = 0;     ///< Solved by the growth distance.
+  std::uint64_t deep = 0;       ///< Of these: so deep in each other that the least translation decided.
 
-  /// Of all calls but the fallbacks, by evaluations of the support functions up to the growth distance, or until the
-  /// last distance was updated: index i counts those with i of them, the last one those with as many or more.
+  /// Of all calls but the fallbacks, by evaluations of the support functions up to the growth distance: index i counts those with i of them, the last one those with as many or more.
   static constexpr std::size_t kMaxIterations = 31;
   std::array<std::uint64_t, kMaxIterations + 1> iterations{};
   /// Largest relative gap between the bounds, upper_bound / lower_bound - 1, of what was solved.

@@ -41,11 +41,11 @@ class ConvexConvexAlgorithm final : public PairAlgorithm {
     pair_.narrowphase.FallBack(*m_dispatcher, &bodies.first, &bodies.second, info, output);
   }
 
-  /// FindFaceContacts() of the two, after FindTriangleContacts() in the same step. Does not throw.
-  /// @param normal  The triangle's unit normal, on either side; world.
-  FaceContacts FindTriangleFaceContacts(const PairBodies& convex_and_triangle, const Vector3& normal,
+  /// The contacts along the triangle's normal, after FindTriangleContacts() in the same step. Does not throw.
+  /// @param normal, time  See dgd_bullet::FindTriangleFaceContacts().
+  FaceContacts FindTriangleFaceContacts(const PairBodies& convex_and_triangle, const Vector3& normal, double time,
                                         const TriangleQuery& query) {
-    return dgd_bullet::FindTriangleFaceContacts(pair_.narrowphase, cache_, convex_and_triangle, normal, query);
+    return dgd_bullet::FindTriangleFaceContacts(pair_.narrowphase, cache_, convex_and_triangle, normal, time, query);
   }
 
   /// The part of the motion from the bodies' transforms to their interpolation transforms that they go before they

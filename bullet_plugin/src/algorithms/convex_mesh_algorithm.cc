@@ -38,13 +38,19 @@ struct MeshStep {
 
   void Begin(const btTransform& mesh) {
     contacts.Begin(mesh);
-    algorithms.clear();
+    triangles.clear();
   }
 
   TrianglePairs pairs;
   MeshContacts contacts;
-  std::vector<ConvexConvexAlgorithm*> algorithms;  // The algorithms of the contacts' triangles, or null.
-  PairContacts found;                              // The last triangle's.
+  /// What a triangle's face contacts are found by.
+  struct Solved {
+    ConvexConvexAlgorithm* algorithm = nullptr;  // Null where an app's own algorithm has solved it.
+    double time = 0;                             // PairContacts::time.
+    bool has_patch = false;                      // Whether it has contacts with the body, ghosts or not.
+  };
+  std::vector<Solved> triangles;  // The contacts' triangles.
+  PairContacts found;             // The last triangle's.
 };
 
 namespace {
@@ -98,14 +104,15 @@ class TriangleVisit final : public btTriangleCallback {
     static_cast<const btConcaveShape&>(*mesh_.getCollisionShape()).processAllTriangles(this, low_, high_);
     if (is_out_of_memory_) throw std::bad_alloc();
     step_.contacts.RemoveGhosts();
-    if (query_.motion.MaxApproach() > query_.range.touching) {
+    if (query_.motion.MaxApproach() > query_.limits.range.touching) {
+      // What meets an internal edge first may have no other contact before it has passed.
       for (int i = 0; i < step_.contacts.triangles(); ++i) {
         if (!step_.contacts.HasContacts(i)) AddFaceContacts(i);
       }
     } else {
       for (const int triangle : step_.contacts.ToTurn()) AddFaceContacts(triangle);
     }
-    if (query_.range.is_rebound) step_.contacts.DropSeamPoints(query_.patch_settings.equal_depth);
+    if (query_.limits.range.is_rebound) step_.contacts.DropSeamPoints(query_.limits.patch_settings.equal_depth);
   }
 
   /// Whether contacts of an app's own algorithm are in the manifold.
@@ -123,11 +130,11 @@ class TriangleVisit final : public btTriangleCallback {
  private:
   void Visit(const btVector3* corners, int part, int index) {
     const int i = step_.contacts.AddTriangle(corners, part, index);
-    step_.algorithms.push_back(nullptr);
-    DGD_ASSERT(step_.algorithms.size() == static_cast<std::size_t>(step_.contacts.triangles()));
+    step_.triangles.emplace_back();
+    DGD_ASSERT(step_.triangles.size() == static_cast<std::size_t>(step_.contacts.triangles()));
     const TriangleBody triangle(step_.contacts.triangle(i), mesh_);
     if (auto* cached = static_cast<ConvexConvexAlgorithm*>(step_.pairs.Find(part, index))) {
-      step_.algorithms.back() = cached;
+      step_.triangles.back().algorithm = cached;
       return AddContacts(*cached, triangle.wrapper(), i);
     }
     if (IsOutOfPlane(triangle)) return;
@@ -139,7 +146,7 @@ class TriangleVisit final : public btTriangleCallback {
     std::unique_ptr<btCollisionAlgorithm, decltype(destroy)> owner(algorithm, destroy);
     if (auto* ours = dynamic_cast<ConvexConvexAlgorithm*>(algorithm)) {
       if (step_.pairs.Insert(part, index, ours))
-        step_.algorithms.back() = static_cast<ConvexConvexAlgorithm*>(owner.release());
+        step_.triangles.back().algorithm = static_cast<ConvexConvexAlgorithm*>(owner.release());
       AddContacts(*ours, triangle.wrapper(), i);
     } else {
       // An app's own algorithm may rely on being new in each step.
@@ -154,7 +161,8 @@ class TriangleVisit final : public btTriangleCallback {
     const btTransform in_mesh = mesh_.getWorldTransform().inverseTimes(convex_.getWorldTransform());
     convex_.getCollisionShape()->getAabb(in_mesh, low_, high_);
     const btVector3 in_middle = btScalar(0.5) * (low_ + high_);
-    const btScalar margin = mesh_.getCollisionShape()->getMargin() + btScalar(query_.patch_settings.contact_distance);
+    const btScalar margin =
+        mesh_.getCollisionShape()->getMargin() + btScalar(query_.limits.patch_settings.contact_distance);
     const btVector3 half = btScalar(0.5) * (high_ - low_);
     const btScalar radius = half.length();
     const auto turn = btScalar(query_.motion.Turn().norm());
@@ -172,22 +180,24 @@ class TriangleVisit final : public btTriangleCallback {
   void AddContacts(ConvexConvexAlgorithm& algorithm, const btCollisionObjectWrapper& triangle, int index) {
     PairContacts& found = step_.found;
     const std::optional<Fallback> failure = algorithm.FindTriangleContacts({convex_, triangle}, query_, found);
+    step_.triangles.back().time = found.time;
+    step_.triangles.back().has_patch = found.patch.size > 0;
     if (!failure) return step_.contacts.Add(index, found.patch, found.normal);
     if (!IsSolvedByBullet(*failure)) return;
     const BoundTriangle bound(output_, triangle);
-    GatheringResult result(output_, query_.range.touching, index, step_.contacts);
+    GatheringResult result(output_, query_.limits.range.touching, index, step_.contacts);
     algorithm.FallBack({convex_, triangle}, info_, result);
   }
 
   /// The contacts of a triangle along its own normal.
   void AddFaceContacts(int index) {
-    DGD_ASSERT(index >= 0 && static_cast<std::size_t>(index) < step_.algorithms.size());
-    ConvexConvexAlgorithm* algorithm = step_.algorithms[static_cast<std::size_t>(index)];
+    DGD_ASSERT(index >= 0 && static_cast<std::size_t>(index) < step_.triangles.size());
+    const auto [algorithm, time, has_patch] = step_.triangles[static_cast<std::size_t>(index)];
     const Vector3 normal = step_.contacts.NormalOf(index);
-    if (algorithm == nullptr || normal.isZero(0)) return;
+    if (algorithm == nullptr || !has_patch || normal.isZero(0)) return;
     const TriangleBody triangle(step_.contacts.triangle(index), mesh_);
-    const FaceContacts found = algorithm->FindTriangleFaceContacts({convex_, triangle.wrapper()}, normal, query_);
-    step_.contacts.Add(index, found.patch, found.normal, found.way);
+    const FaceContacts found = algorithm->FindTriangleFaceContacts({convex_, triangle.wrapper()}, normal, time, query_);
+    step_.contacts.Add(index, found.patch, found.normal);
   }
 
   /// Whether the convex body is on one side of the triangle's plane and does not come near it in the step.
@@ -200,7 +210,8 @@ class TriangleVisit final : public btTriangleCallback {
     const auto is_apart = [&](const btVector3& direction) {
       const double separation =
           SeparationAlong({convex_, bounded_convex_}, {triangle.wrapper(), bounded_mesh_}, direction);
-      return separation > query_.range.touching && !query_.motion.MayApproachBy(separation, FromBullet(direction));
+      return separation > query_.limits.range.touching &&
+             !query_.motion.MayApproachBy(separation, FromBullet(direction));
     };
     return is_apart(normal) || is_apart(-normal);
   }
@@ -264,11 +275,9 @@ bool ConvexMeshAlgorithm::FindContacts(const btCollisionObjectWrapper& convex, c
   const ContactRange range = RangeOfContacts(options, shared, motion, output);
   const TriangleQuery query{.motion = motion,
                             .reverse_motion = reverse,
-                            .range = range,
-                            .patch_settings = PatchSettingsOf(options, shared, range, is_user_query),
+                            .limits = {range, PatchSettingsOf(options, shared, range, is_user_query), is_user_query},
                             .angular_tolerance = options.angular_tolerance,
-                            .flush = NegligibleDistance(shared.BreakingThreshold()),
-                            .is_user_query = is_user_query};
+                            .flush = NegligibleDistance(shared.BreakingThreshold())};
   TriangleVisit visit(convex, mesh, info, query, *m_dispatcher, *step_, output);
   visit.Gather();
   step_->pairs.EndStep();
@@ -283,12 +292,13 @@ void ConvexMeshAlgorithm::Write(const TriangleQuery& query, bool has_foreign, co
                                 btManifoldResult& output) {
   DGD_ASSERT(manifold_ == output.getPersistentManifold());
   const ReducedContacts reduced =
-      ReduceContacts(step_->contacts.contacts(), query.patch_settings, query.motion, *manifold_);
+      ReduceContacts(step_->contacts.contacts(), query.limits.patch_settings, query.motion, *manifold_);
   std::array<ManifoldContact, MANIFOLD_CACHE_SIZE> chosen;
   for (int i = 0; i < reduced.size; ++i) {
     const MeshContact& contact = reduced.contacts[static_cast<std::size_t>(i)];
-    chosen[static_cast<std::size_t>(i)] = {ToBullet(contact.normal_on_b), ToBullet(contact.on_b),
-                                           btScalar(contact.separation), &step_->contacts.triangle(contact.triangle)};
+    chosen[static_cast<std::size_t>(i)] = {ToBullet(contact.normal_on_b), ToBullet(contact.on_a),
+                                           ToBullet(contact.on_b), btScalar(contact.separation),
+                                           &step_->contacts.triangle(contact.triangle)};
   }
   const Options& options = narrowphase_.options();
   // Points of an app's own algorithm cannot be distinguished from ours: none are dropped then.

@@ -21,11 +21,6 @@ bool SetNumber(std::string_view value, Options& options) {
   return error == std::errc() && end == value.data() + value.size();
 }
 
-bool SetNormalMode(std::string_view value, Options& options) {
-  options.normal_mode = value == "growth" ? NormalMode::kGrowth : NormalMode::kLeastTranslation;
-  return value == "growth" || value == "least_translation";
-}
-
 bool SetGeometryMode(std::string_view value, Options& options) {
   options.geometry_mode = value == "sharp" ? GeometryMode::kSharp : GeometryMode::kBullet;
   return value == "sharp" || value == "bullet";
@@ -51,10 +46,8 @@ constexpr Option kOptions[] = {
     {"patch_size", kInteger, SetNumber<&Options::patch_size>},
     {"angular_tolerance", kNumber, SetNumber<&Options::angular_tolerance>},
     {"contact_distance", kNumber, SetNumber<&Options::contact_distance>},
-    {"normal_mode", "growth or least_translation", SetNormalMode},
     {"geometry_mode", "bullet or sharp", SetGeometryMode},
     {"speculative_contacts", kSwitch, SetSwitch<&Options::speculative_contacts>},
-    {"rim_damping", kSwitch, SetSwitch<&Options::rim_damping>},
     {"friction_anchors", kSwitch, SetSwitch<&Options::friction_anchors>},
     {"order_points_by_impulse", kSwitch, SetSwitch<&Options::order_points_by_impulse>},
     {"keep_resting_contacts", kSwitch, SetSwitch<&Options::keep_resting_contacts>},

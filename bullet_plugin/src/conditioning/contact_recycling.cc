@@ -9,9 +9,8 @@
 #include <new>
 
 #include "algorithms/pair_manifold.h"
+#include "conditioning/finishing.h"
 #include "conditioning/friction_anchors.h"
-#include "conditioning/just_touching.h"
-#include "conditioning/point_order.h"
 #include "dgd/assert.h"
 #include "dgd_bullet/options.h"
 #include "pipeline/contact_materials.h"
@@ -216,33 +215,33 @@ RecycledContacts::PoseChange RecycledContacts::ComparePoses(const btCollisionObj
 }
 
 void RecycledContacts::TurnNormals(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
-                                   bool order_by_impulse, btPersistentManifold& manifold) {
+                                   btPersistentManifold& manifold) {
   DGD_ASSERT(face_.side != dgd::ReferenceSide::kNone);
   sides_[0].pose = body_a.getWorldTransform();
   sides_[1].pose = body_b.getWorldTransform();
   DGD_ASSERT(manifold.getNumContacts() == contacts_);
   const btVector3 normal = FaceSide().pose.getBasis() * normal_;
   for (int i = 0; i < manifold.getNumContacts(); ++i) manifold.getContactPoint(i).m_normalWorldOnB = normal;
-  if (order_by_impulse) OrderByImpulse(manifold);
 }
 
-bool RecycledContacts::Update(const Side& a, const Side& b, const Options& options, btScalar time_step,
+bool RecycledContacts::Update(const Side& a, const Side& b, const Options& options, const PairMotion& motion,
                               btPersistentManifold& manifold, btManifoldResult& output) {
   DGD_ASSERT(output.getPersistentManifold() == &manifold);
   const PoseChange change = Compare(a, b, manifold);
   if (change == PoseChange::kChanged) return false;
-  if (change == PoseChange::kMovedTogether) TurnNormals(a.body, b.body, options.order_points_by_impulse, manifold);
+  const bool has_moved = change == PoseChange::kMovedTogether;
+  if (has_moved) TurnNormals(a.body, b.body, manifold);
   const bool was_loaded = IsLoaded(manifold);
   const ContactMaterials materials(*output.getBody0Internal(), *output.getBody1Internal());
   for (int i = 0; i < manifold.getNumContacts(); ++i) materials.ApplyTo(manifold.getContactPoint(i));
-  if (options.friction_anchors && time_step > 0 && manifold.getNumContacts() >= kMinAnchors) {
-    const FrictionAnchors anchors(manifold, time_step);
+  if (options.friction_anchors && motion.IsKnown() && manifold.getNumContacts() >= kMinAnchors) {
+    const FrictionAnchors anchors(manifold, btScalar(motion.TimeStep()));
     for (int i = 0; i < manifold.getNumContacts(); ++i) anchors.RefreshRecycled(manifold.getContactPoint(i));
     CountStep(manifold);
   } else {
     output.refreshContactPoints();
   }
-  ShowTouching(manifold, was_loaded, {});
+  FinishContacts(was_loaded, motion, has_moved && options.order_points_by_impulse, manifold);
   return true;
 }
 

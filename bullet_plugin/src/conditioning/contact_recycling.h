@@ -82,10 +82,10 @@ class RecycledContacts {
                     std::unique_ptr<RecycledContacts>& recycled);
 
   /// Updates the contacts of a pair that is as it was: their distances, and what the bodies' materials make of them.
-  /// @param time_step  Seconds, for friction anchors.
+  /// @param motion  The bodies' motion in the step, in the manifold's order.
   /// @return whether it is.
-  bool Update(const Side& a, const Side& b, const Options& options, btScalar time_step, btPersistentManifold& manifold,
-              btManifoldResult& output);
+  bool Update(const Side& a, const Side& b, const Options& options, const PairMotion& motion,
+              btPersistentManifold& manifold, btManifoldResult& output);
 
  private:
   /// What has become of the poses.
@@ -117,7 +117,7 @@ class RecycledContacts {
 
   /// Turns the contacts' normal with the reference face of bodies that have moved together.
   void TurnNormals(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,
-                   bool order_by_impulse, btPersistentManifold& manifold);
+                   btPersistentManifold& manifold);
 
   std::array<CachedSide, 2> sides_;
   btTransform pose_ab_;  // Pose of body B in body A's frame.

@@ -21,6 +21,13 @@ inline namespace DGD_BULLET_PRECISION {
 /// Metres: what Bullet's solver makes of this overlap is below roundoff.
 constexpr btScalar kJustTouching = btScalar(-1e-9);
 
+/// Whether an app, or its material, has set how a point gives way.
+inline bool HasOwnSoftness(const btManifoldPoint& point) {
+  constexpr int kSoftness =
+      BT_CONTACT_FLAG_HAS_CONTACT_CFM | BT_CONTACT_FLAG_HAS_CONTACT_ERP | BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING;
+  return (point.m_contactPointFlags & kSoftness) != 0;
+}
+
 /// Whether any point carried something in the last step.
 inline bool IsLoaded(const btPersistentManifold& manifold) {
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
@@ -37,12 +44,12 @@ inline void ShowTouching(btPersistentManifold& manifold, bool was_loaded, const 
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     btManifoldPoint& point = manifold.getContactPoint(i);
     const btScalar gap = point.m_distance1;
-    constexpr int kHasOwnSoftness =
-        BT_CONTACT_FLAG_HAS_CONTACT_CFM | BT_CONTACT_FLAG_HAS_CONTACT_ERP | BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING;
-    if (!(gap > 0) || (point.m_contactPointFlags & kHasOwnSoftness) != 0) continue;
-    const bool touches =
-        (was_loaded && gap <= near) ||
-        double(gap) <= motion.Approach(FromBullet(point.m_positionWorldOnB), -FromBullet(point.m_normalWorldOnB));
+    if (!(gap > 0) || HasOwnSoftness(point)) continue;
+    const Vector3 normal = -FromBullet(point.m_normalWorldOnB);
+    const double speed =
+        motion.ApproachSpeed(FromBullet(point.m_positionWorldOnA), FromBullet(point.m_positionWorldOnB), normal) +
+        motion.ApproachSpeedGain(normal);
+    const bool touches = (was_loaded && gap <= near) || double(gap) <= motion.TimeStep() * speed;
     if (!touches) continue;
     DGD_ASSERT(std::isfinite(gap));
     point.m_contactERP = gap / kJustTouching;
@@ -51,8 +58,8 @@ inline void ShowTouching(btPersistentManifold& manifold, bool was_loaded, const 
   }
 }
 
-/// Forgets which points were shown as touching, before anything else is made of them: their error reduction is for the
-/// gap of one step.
+/// Forgets which points were shown as touching, or are not pushed by their rebound, before anything else is made of
+/// them: their error reduction is for one step.
 inline void ForgetTouching(btPersistentManifold& manifold) {
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     btManifoldPoint& point = manifold.getContactPoint(i);

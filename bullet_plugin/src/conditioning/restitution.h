@@ -2,8 +2,9 @@
 //
 // Bullet's constraint solver has bodies part at the coefficient times their speed of approach before the step's forces,
 // and adds the gap or the overlap to that: bodies that are apart by s part slower by s / dt, and those that overlap by
-// d faster by 0.2 d / dt. So a contact that the step closes is handed over as just touching, with the coefficient that
-// has bodies fly on as after an impact at the moment of touching.
+// d faster by the world's error reduction times d / dt. So a contact that the step closes is handed over as just
+// touching, and one that overlaps with an error reduction of its own, by which it is not pushed; with the coefficient
+// that has bodies fly on as after an impact at the moment of touching.
 //
 // Between two steps, Bullet's integrator moves a body on a parabola through its places x_k, on which its speed at x_k
 // is the mean of the stored one and the one after the next step's forces. With u the speed of approach, w what the
@@ -34,6 +35,9 @@ inline namespace DGD_BULLET_PRECISION {
 /// Metres per second: Bullet's solver lets slower bodies come to rest (btContactSolverInfo's own default).
 constexpr double kSlowestRebound = 0.2;
 
+/// An error reduction that changes nothing, and that ForgetTouching() takes back.
+constexpr btScalar kNoPush = btScalar(-1e-30);
+
 /// The speed of parting after the impact, or nothing where the bodies do not rebound as far as they are apart now.
 /// @param restitution     Coefficient, > 0.
 /// @param approach, gain  u and w above, metres per second; u > 0.
@@ -55,10 +59,10 @@ inline std::optional<double> SpeedAfterImpact(double restitution, double approac
 inline void PrepareRebound(btManifoldPoint& point, const PairMotion& motion) {
   const auto restitution = double(point.m_combinedRestitution);
   if (!(restitution > 0) || !motion.IsKnown()) return;
-  // Bullet's solver takes back overlap by speed that bodies keep, up to a depth (btContactSolverInfo's own defaults).
-  constexpr double kErrorReduction = 0.2, kDeepestPushed = 0.04;
-  const Vector3 normal = -FromBullet(point.m_normalWorldOnB), place = FromBullet(point.m_positionWorldOnB);
-  const double approach = motion.ApproachSpeed(place, normal), gain = motion.ApproachSpeedGain(place, normal);
+  const Vector3 normal = -FromBullet(point.m_normalWorldOnB);
+  const double approach =
+      motion.ApproachSpeed(FromBullet(point.m_positionWorldOnA), FromBullet(point.m_positionWorldOnB), normal);
+  const double gain = motion.ApproachSpeedGain(normal);
   const double gap = double(point.getDistance()), time_step = motion.TimeStep();
   if (!(gap <= (approach + gain) * time_step)) return;
   if (!(approach > kSlowestRebound)) {
@@ -69,10 +73,15 @@ inline void PrepareRebound(btManifoldPoint& point, const PairMotion& motion) {
   const std::optional<double> after = SpeedAfterImpact(restitution, approach, gain, gap, time_step);
   const double approach_in_solver = motion.IsOfLinks() ? approach + gain : approach;
   if (!after || !(approach_in_solver > 0)) return;
-  const double pushed = gap < 0 && gap > -kDeepestPushed ? -gap * kErrorReduction / time_step : 0;
-  DGD_ASSERT(*after > 0 && pushed >= 0);
-  point.m_combinedRestitution = btScalar(std::max(*after - pushed, 0.0) / approach_in_solver);
-  if (gap > 0) point.m_distance1 = kJustTouching;
+  DGD_ASSERT(*after > 0);
+  point.m_combinedRestitution = btScalar(*after / approach_in_solver);
+  if (gap > 0) {
+    point.m_distance1 = kJustTouching;
+  } else if (!HasOwnSoftness(point)) {
+    // Overlap is taken back by speed that bodies keep: not of those that part in any case.
+    point.m_contactERP = kNoPush;
+    point.m_contactPointFlags |= BT_CONTACT_FLAG_HAS_CONTACT_ERP;
+  }
 }
 
 }  // namespace DGD_BULLET_PRECISION

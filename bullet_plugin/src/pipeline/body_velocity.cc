@@ -57,11 +57,5 @@ btVector3 AccelerationOf(const btMultiBodyLinkCollider& link) {
   return mass > 0 ? force / mass : btVector3(0, 0, 0);
 }
 
-btScalar InverseMassOf(const btMultiBodyLinkCollider& link) {
-  const btMultiBody& body = *link.m_multiBody;
-  const btScalar mass = link.m_link == kBase ? body.getBaseMass() : body.getLink(link.m_link).m_mass;
-  return mass > 0 ? 1 / mass : 0;
-}
-
 }  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -25,9 +25,6 @@ BodyVelocity VelocityOf(const btMultiBodyLinkCollider& link);
 /// links then. World, metres per second squared.
 btVector3 AccelerationOf(const btMultiBodyLinkCollider& link);
 
-/// Inverse mass of the link alone, 1 / kg: with the links that it moves it is heavier. 0 if it has no mass.
-btScalar InverseMassOf(const btMultiBodyLinkCollider& link);
-
 /// The object as a multibody's link, or null.
 const btMultiBodyLinkCollider* AsLink(const btCollisionObject& object);
 

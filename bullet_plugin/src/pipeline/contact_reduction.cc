@@ -37,7 +37,7 @@ class Reduction {
     for (MeshContact& contact : contacts) {
       contact.touches =
           contact.separation <= settings.equal_depth ||
-          contact.separation - motion.Approach(contact.OnA(), -contact.normal_on_b) <= settings.equal_depth;
+          contact.separation - motion.Approach(contact.on_a, -contact.normal_on_b) <= settings.equal_depth;
       middle_ += contact.on_b;
     }
     FindContinued(manifold);
@@ -71,7 +71,7 @@ class Reduction {
       int nearest = kNone;
       for (int i = 0; i < count(); ++i) {
         const MeshContact& contact = At(i);
-        const double distance_sq = (contact.OnA() - on_a).squaredNorm();
+        const double distance_sq = (contact.on_a - on_a).squaredNorm();
         if (!(distance_sq < nearest_sq) || !(contact.normal_on_b.dot(normal) > kSameDirection)) continue;
         nearest_sq = distance_sq;
         nearest = i;
@@ -107,6 +107,7 @@ class Reduction {
     DGD_ASSERT(IsUnit(deepest.normal_on_b));
     MeshContact middle = deepest;
     middle.on_b = axes * ((low + high) / 2);
+    middle.on_a += middle.on_b - deepest.on_b;
     double nearest_sq = std::numeric_limits<double>::infinity();
     for (const MeshContact& contact : contacts_) {
       const double distance_sq = (contact.on_b - middle.on_b).squaredNorm();

@@ -28,7 +28,7 @@ class ContinuedContacts {
     const btTransform& pose_a = manifold.getBody0()->getWorldTransform();
     const btScalar threshold = manifold.getContactBreakingThreshold();
     for (std::size_t i = 0; i < contacts.size(); ++i) {
-      on_a_in_body_[i] = pose_a.invXform(contacts[i].OnA());
+      on_a_in_body_[i] = pose_a.invXform(contacts[i].on_a);
       btScalar nearest_sq = threshold * threshold;
       int nearest = kNew;
       for (int j = 0; j < cached; ++j) {

@@ -11,10 +11,8 @@
 #include <utility>
 
 #include "algorithms/finite_result.h"
+#include "conditioning/finishing.h"
 #include "conditioning/friction_anchors.h"
-#include "conditioning/just_touching.h"
-#include "conditioning/point_order.h"
-#include "conditioning/restitution.h"
 #include "dgd/assert.h"
 #include "dgd_bullet/options.h"
 #include "pipeline/contact_materials.h"
@@ -106,7 +104,7 @@ class PointWriter {
     }
     point.m_localPointA = on_a_in_body;
     point.m_localPointB = pose_b_.invXform(contact.on_b);
-    point.m_positionWorldOnA = contact.OnA();
+    point.m_positionWorldOnA = contact.on_a;
     point.m_positionWorldOnB = contact.on_b;
     point.m_normalWorldOnB = normal_;
     point.m_lateralFrictionDir1 = lateral_1_;
@@ -232,7 +230,7 @@ class BulletPatch {
     const btVector3 normal_on_b = ToBullet(-normal);
     for (std::size_t i = 0; i < size_; ++i) {
       const dgd::ContactPoint<double>& point = patch.points[i];
-      contacts_[i] = {normal_on_b, ToBullet(point.on_2), btScalar(point.separation)};
+      contacts_[i] = {normal_on_b, ToBullet(point.on_1), ToBullet(point.on_2), btScalar(point.separation)};
     }
   }
 
@@ -285,9 +283,7 @@ void UpdateManifold(std::span<const ManifoldContact> contacts, const PairMotion&
   } else {
     WriteThroughBullet(contacts, update.drop_stale, output);
   }
-  for (int i = 0; i < manifold.getNumContacts(); ++i) PrepareRebound(manifold.getContactPoint(i), motion);
-  ShowTouching(manifold, was_loaded, motion);
-  if (update.order_by_impulse) OrderByImpulse(manifold);
+  FinishContacts(was_loaded, motion, update.order_by_impulse, manifold);
 }
 
 void CountStep(btPersistentManifold& manifold) {

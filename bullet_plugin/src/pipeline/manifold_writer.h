@@ -26,10 +26,8 @@ struct Options;
 
 /// A contact of bodies A and B in Bullet's precision.
 struct ManifoldContact {
-  btVector3 OnA() const { return on_b + normal_on_b * separation; }
-
   btVector3 normal_on_b;                   ///< Unit, from B to A, world.
-  btVector3 on_b;                          ///< World, metres.
+  btVector3 on_a, on_b;                    ///< World, metres; of contacts ahead of touching, each on its own body.
   btScalar separation;                     ///< Metres, negative for overlap.
   const MeshTriangle* triangle = nullptr;  ///< The triangle, if body B is a mesh; outlives the contact.
 };

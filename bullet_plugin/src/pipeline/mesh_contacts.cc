@@ -117,13 +117,13 @@ int MeshContacts::AddTriangle(const btVector3* corners, int part, int index) {
   return triangles() - 1;
 }
 
-void MeshContacts::Add(int triangle, const dgd::ContactPatch<double>& patch, const Vector3& normal,
-                       const Vector3& way) {
+void MeshContacts::Add(int triangle, const dgd::ContactPatch<double>& patch, const Vector3& normal) {
   if (patch.size == 0) return;
   DGD_ASSERT(triangle >= 0 && triangle < triangles() && IsUnit(normal));
   const std::size_t begin = contacts_.size();
   for (std::size_t i = 0; i < static_cast<std::size_t>(patch.size); ++i) {
-    contacts_.push_back({-normal, patch.points[i].on_2, patch.points[i].separation, triangle, way});
+    const dgd::ContactPoint<double>& point = patch.points[i];
+    contacts_.push_back({-normal, point.on_1, point.on_2, point.separation, triangle});
   }
   patches_.push_back({triangle, begin, contacts_.size(), false});
 }
@@ -161,7 +161,7 @@ void MeshContacts::DropSeamPoints(double equal_depth) {
 
 bool MeshContacts::IsOnSeam(const MeshContact& contact) const {
   const MeshTriangle& own = triangle(contact.triangle);
-  const btVector3 place = mesh_->invXform(ToBullet(contact.on_b + contact.way));
+  const btVector3 place = mesh_->invXform(ToBullet(contact.on_b));
   const btScalar tolerance = kSamePlace * SizeOf(own);
   const auto is_on_border = [&](std::size_t from, std::size_t to) {
     return IsNear(NearestOn(own.corners[from], own.corners[to], place), place, tolerance);

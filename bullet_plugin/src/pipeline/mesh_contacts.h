@@ -31,13 +31,10 @@ inline namespace DGD_BULLET_PRECISION {
 
 /// A contact of a convex body, A, with a triangle of a mesh, B.
 struct MeshContact {
-  Vector3 OnA() const { return on_b + separation * normal_on_b; }
-
   Vector3 normal_on_b;  ///< Unit, from the mesh to the body, world.
-  Vector3 on_b;         ///< World, metres.
+  Vector3 on_a, on_b;   ///< World, metres.
   double separation;    ///< Metres, negative for overlap.
   int triangle;         ///< Index among the step's triangles.
-  Vector3 way;          ///< Of on_b until it touches; world, metres.
 
   // For the reduction (contact_reduction.h).
   bool touches = false;                           // Or will by the end of the step.
@@ -57,9 +54,7 @@ class MeshContacts {
 
   /// Adds the contacts that a triangle has along a normal, if there are any.
   /// @param normal  Unit, from the body to the mesh, world.
-  /// @param way     Of the contacts' points until they touch; world, metres.
-  void Add(int triangle, const dgd::ContactPatch<double>& patch, const Vector3& normal,
-           const Vector3& way = Vector3::Zero());
+  void Add(int triangle, const dgd::ContactPatch<double>& patch, const Vector3& normal);
 
   /// Leaves the contacts of faces, with the faces' own normals, and of exposed edges and corners.
   void RemoveGhosts();

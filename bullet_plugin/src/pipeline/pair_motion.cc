@@ -29,20 +29,18 @@ PairMotion::Twist PairMotion::Read(const BoundedBody& body, double time_step) {
   // Apps that make a body kinematic as Bullet's manual says leave it flagged as static, too.
   if (object.isStaticObject() && !object.isKinematicObject()) return {};
   const btMultiBodyLinkCollider* link = AsLink(object);
-  const auto twist_of = [&](const BodyVelocity& velocity, const btVector3& acceleration, btScalar inverse_mass) {
+  const auto twist_of = [&](const BodyVelocity& velocity, const btVector3& acceleration) {
     return Twist{FromBullet(velocity.linear),
                  FromBullet(velocity.angular),
                  FromBullet(btScalar(time_step) * acceleration),
                  FromBullet(object.getWorldTransform().getOrigin()),
                  body.radius,
-                 double(inverse_mass),
                  link != nullptr};
   };
   if (const btRigidBody* rigid = btRigidBody::upcast(&object)) {
-    const btScalar inverse_mass = rigid->getInvMass();
-    return twist_of(VelocityOf(object), inverse_mass * rigid->getTotalForce(), inverse_mass);
+    return twist_of(VelocityOf(object), rigid->getInvMass() * rigid->getTotalForce());
   }
-  return link == nullptr ? Twist() : twist_of(VelocityOf(*link), AccelerationOf(*link), InverseMassOf(*link));
+  return link == nullptr ? Twist() : twist_of(VelocityOf(*link), AccelerationOf(*link));
 }
 
 dgd::Motion<double> PairMotion::Twist::MotionOf(const Pose& pose, double time) const {

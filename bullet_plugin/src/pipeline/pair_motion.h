@@ -48,14 +48,16 @@ class PairMotion {
   double Approach(const Vector3& point, const Vector3& normal) const {
     return time_step_ * normal.dot(a_.PredictedVelocityAt(point) - b_.PredictedVelocityAt(point));
   }
-  /// The speed at which they come closer now, and what the forces add to it within the step; metres per second.
-  double ApproachSpeed(const Vector3& point, const Vector3& normal) const {
-    return normal.dot(a_.VelocityAt(point) - b_.VelocityAt(point));
+  /// The same by their present velocities alone: what supports a body takes up its weight.
+  double Coasting(const Vector3& point, const Vector3& normal) const {
+    return time_step_ * ApproachSpeed(point, point, normal);
   }
-  double ApproachSpeedGain(const Vector3& point, const Vector3& normal) const {
-    DGD_ASSERT(IsKnown());
-    return Approach(point, normal) / time_step_ - ApproachSpeed(point, normal);
+  /// The speed at which a point of A and one of B come closer now, and what the forces add to it within the step;
+  /// metres per second.
+  double ApproachSpeed(const Vector3& on_a, const Vector3& on_b, const Vector3& normal) const {
+    return normal.dot(a_.VelocityAt(on_a) - b_.VelocityAt(on_b));
   }
+  double ApproachSpeedGain(const Vector3& normal) const { return normal.dot(a_.gain - b_.gain); }
   /// Metres by which the surfaces move past each other across `normal` at a world point within the step.
   double Passing(const Vector3& point, const Vector3& normal) const {
     const Vector3 path = time_step_ * (a_.PredictedVelocityAt(point) - b_.PredictedVelocityAt(point));
@@ -73,9 +75,11 @@ class PairMotion {
   }
   /// Whether MaxApproach() may be as much as `distance`, metres; also where velocities are NaN. Mostly without a root.
   bool MayApproachBy(double distance, const Vector3& normal) const {
-    const double along = normal.dot(RelativeVelocity());
-    const double around = a_.angular.lpNorm<1>() * a_.radius + b_.angular.lpNorm<1>() * b_.radius;
-    return !(time_step_ * (along + around) < distance) && !(MaxApproach(normal) < distance);
+    return MayCloseBy(distance, normal, normal.dot(RelativeVelocity()));
+  }
+  /// The same by the bodies' present velocities alone.
+  bool MayCoastBy(double distance, const Vector3& normal) const {
+    return MayCloseBy(distance, normal, normal.dot(a_.linear - b_.linear));
   }
 
   /// Metres by which turning takes points off the straight lines that Approach() assumes, at most.
@@ -114,13 +118,6 @@ class PairMotion {
     return time_step_ * (a_.angular - b_.angular).cross(normal).norm() * std::min(a_.radius, b_.radius);
   }
 
-  /// Part of the relative motion of the bodies' surfaces that an impulse at their centres would give to A: 0 to 1.
-  double ShareOfA() const {
-    const double both = a_.inverse_mass + b_.inverse_mass;
-    DGD_ASSERT(!(a_.inverse_mass < 0) && !(b_.inverse_mass < 0));
-    return both > 0 ? a_.inverse_mass / both : 0.5;
-  }
-
   /// The motion of a pose that is fixed to a body over the time step.
   dgd::Motion<double> MotionOfA(const Pose& pose) const { return a_.MotionOf(pose, time_step_); }
   dgd::Motion<double> MotionOfB(const Pose& pose) const { return b_.MotionOf(pose, time_step_); }
@@ -141,11 +138,17 @@ class PairMotion {
     Vector3 gain = Vector3::Zero();     // What the forces on the body add to its velocity within the step.
     Vector3 center = Vector3::Zero();   // World, metres.
     double radius = 0;                  // From the centre to the body's farthest point, metres.
-    double inverse_mass = 0;            // 1 / kg.
     bool is_link = false;               // Whether the body is a multibody's link.
   };
 
   static Twist Read(const BoundedBody& body, double time_step);
+
+  /// @param along  Speed of the centres' approach along the normal, metres per second.
+  bool MayCloseBy(double distance, const Vector3& normal, double along) const {
+    const double around = a_.angular.lpNorm<1>() * a_.radius + b_.angular.lpNorm<1>() * b_.radius;
+    if (time_step_ * (along + around) < distance) return false;
+    return !(time_step_ * (along + a_.RimSpeed(normal) + b_.RimSpeed(normal)) < distance);
+  }
 
   Vector3 RelativeVelocity() const { return a_.PredictedLinear() - b_.PredictedLinear(); }
 

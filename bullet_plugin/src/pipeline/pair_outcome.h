@@ -16,7 +16,7 @@ struct PairOutcome {
   enum class Stage : std::uint8_t {
     kSeparated,  ///< A separating axis, or a bound of the distance, shows that there are no contacts.
     kRecycled,   ///< The last step's contacts are valid.
-    kUpdated,    ///< The signed distance was updated from the last query's.
+    kDeep,       ///< The growth distance was solved, and the least translation of bodies so deep in each other.
     kSolved,     ///< The growth distance was solved.
   };
 

@@ -4,10 +4,10 @@
 #include <BulletCollision/CollisionShapes/btConvexShape.h>
 
 #include <algorithm>
-#include <utility>
 
+#include "dgd/any_set.h"
 #include "dgd/assert.h"
-#include "pipeline/pair_distance.h"
+#include "pipeline/least_translation.h"
 #include "shapes/shape_adapter.h"
 
 namespace dgd_bullet {
@@ -18,6 +18,24 @@ namespace {
 /// evaluations of a step its least translation may take: 64 are an expanding polytope, which may start from scratch.
 constexpr double kExact = 1e-12;
 constexpr int kPatience = 5;
+
+/// Bounds that roundoff leaves farther apart than the tolerance still prove a result if they agree to this: 5
+/// micrometres in half a metre, a thousandth of what Bullet's float pairs are off by. Beyond it, the pair is Bullet's.
+constexpr double kCertifiedGap = 1e-5;
+
+bool IsCertified(const Contact& contact) {
+  switch (contact.status) {
+    case dgd::Status::kOptimal:
+    case dgd::Status::kSeparated:
+    case dgd::Status::kCoincidentCenters:
+      return true;
+    case dgd::Status::kStalled:
+    case dgd::Status::kIterationLimit:
+      return contact.RelativeGap() <= kCertifiedGap;
+    default:
+      return false;
+  }
+}
 
 Pose PoseOfSet(const btCollisionObjectWrapper& body) {
   return FromBullet(body.getWorldTransform(), UpAxis(ConvexShapeOf(body)));
@@ -32,6 +50,13 @@ PairCache& InOrder(PairCache& cache, const PairBodies& solved, bool is_swapped) 
   return cache;
 }
 
+dgd::Settings<double> SettingsOf(const Options& options, const QueryLimits& limits, const PairMotion& motion) {
+  return {.relative_tolerance =
+              limits.is_user_query ? std::min(kExact, options.relative_tolerance) : options.relative_tolerance,
+          .max_iterations = options.max_iterations,
+          .separation_limit = SeparationLimit(limits.range, motion)};
+}
+
 }  // namespace
 
 PosedShape AdaptBody(Narrowphase& narrowphase, const btCollisionObjectWrapper& body, PairCache::Hull& hull,
@@ -40,49 +65,88 @@ PosedShape AdaptBody(Narrowphase& narrowphase, const btCollisionObjectWrapper& b
                     narrowphase.hulls(), hull, narrowphase.HullUseFor(for_user));
 }
 
-PairQuery::PairQuery(Narrowphase& narrowphase, const PairBodies& solved, bool is_swapped, bool for_user,
-                     double breaking_threshold, const PairMotion& motion_of_pair, PairCache& cache_of_pair)
-    : options(narrowphase.options()),
-      cache(InOrder(cache_of_pair, solved, is_swapped)),
-      motion(motion_of_pair),
-      shape_a(AdaptBody(narrowphase, solved.first, cache.hull_a(), for_user)),
-      shape_b(AdaptBody(narrowphase, solved.second, cache.hull_b(), for_user)),
-      is_user_query(for_user),
-      wants_least_translation(options.normal_mode == NormalMode::kLeastTranslation),
-      flush(NegligibleDistance(breaking_threshold)) {
-  if (!options.warm_start) cache.Clear();
+PairQuery::PairQuery(Narrowphase& narrowphase, const PairBodies& solved, bool is_swapped, const QueryLimits& limits,
+                     double breaking_threshold, const PairMotion& motion, PairCache& cache)
+    : options_(narrowphase.options()),
+      cache_(InOrder(cache, solved, is_swapped)),
+      shape_a_(AdaptBody(narrowphase, solved.first, cache.hull_a(), limits.is_user_query)),
+      shape_b_(AdaptBody(narrowphase, solved.second, cache.hull_b(), limits.is_user_query)),
+      limits_(limits),
+      rules_{options_, limits.range, limits.patch_settings, motion, NegligibleDistance(breaking_threshold)},
+      settings_(SettingsOf(options_, limits, motion)) {
+  if (!options_.warm_start) cache.Clear();
+  MoveCentersTogether(shape_a_, shape_b_);
 }
 
-void PairQuery::SetLimits(const ContactRange& contact_range, const dgd::PatchSettings<double>& settings_of_patch) {
-  DGD_ASSERT(settings_of_patch.max_points >= 1 &&
-             settings_of_patch.max_points <= dgd::ContactPatch<double>::kMaxPoints);
-  DGD_ASSERT(!(contact_range.limit < contact_range.touching) && !(settings_of_patch.spacing < 0));
-  range = contact_range;
-  patch_settings = settings_of_patch;
-  settings.relative_tolerance =
-      is_user_query ? std::min(kExact, options.relative_tolerance) : options.relative_tolerance;
-  settings.max_iterations = options.max_iterations;
-  settings.separation_limit = SeparationLimit(range, motion);
+Contact PairQuery::FindContact() {
+  Contact contact =
+      dgd::GrowthDistance(shape_a_.set, shape_a_.pose, shape_b_.set, shape_b_.pose, settings_, &cache_.warm_start());
+  if (!IsCertified(contact) || contact.status == dgd::Status::kSeparated) return contact;
+  if (contact.separation < -rules_.flush) TurnToFace(contact);
+  if (limits_.is_user_query) {
+    settings_.max_iterations *= kPatience;
+  } else if (IsDeep(contact)) {
+    stage_ = PairOutcome::Stage::kDeep;
+  } else {
+    return contact;
+  }
+  TurnToLeastTranslation(shape_a_, shape_b_, settings_, cache_.warm_start(), contact);
+  return contact;
 }
 
-void PairQuery::TurnNormal(Contact& contact) {
-  if (!wants_least_translation || stage != PairOutcome::Stage::kSolved || std::exchange(is_turned, true)) return;
-  DGD_ASSERT(!has_facing);
-  if (is_user_query) settings.max_iterations *= kPatience;
-  const bool can_update = TurnToLeastTranslation(shape_a, shape_b, settings, cache.warm_start(), contact);
-  cache.Set(can_update ? PairCache::Kind::kSeparatingAxis : PairCache::Kind::kPortal);
+void PairQuery::TurnToFace(Contact& contact) const {
+  // Of a shape that shows no faces, the deepest point may be over another triangle.
+  if (limits_.face_normal.isZero(0) || shape_a_.set.IsCustom() || shape_b_.set.IsCustom()) return;
+  // A triangle has no depth: of what is larger, its centre is beside the part that is over it, and the direction from
+  // there leans the more the deeper that part is.
+  const Vector3 face =
+      limits_.face_normal.dot(contact.normal) < 0 ? Vector3(-limits_.face_normal) : limits_.face_normal;
+  const Vector3 on_a = SupportPoint(shape_a_, face), on_b = SupportPoint(shape_b_, -face);
+  const double separation = face.dot(on_b - on_a);
+  if (!(separation > contact.separation)) return;
+  contact.normal = face;
+  contact.separation = separation;
+  const bool is_a_flat = shape_a_.set.CoreInradius() < shape_b_.set.CoreInradius();
+  contact.witness_1 = is_a_flat ? Vector3(on_b - separation * face) : on_a;
+  contact.witness_2 = contact.witness_1 + separation * face;
 }
 
-void PairQuery::FindFacing(const Contact& contact) {
-  if (std::exchange(has_facing, true)) return;
-  DGD_ASSERT(IsUnit(contact.normal));
-  dgd::FindFacingFaces(shape_a.set, shape_a.pose, shape_b.set, shape_b.pose, contact, options.angular_tolerance,
-                       facing);
-  // A reference face can be followed while the cores are apart.
-  const bool are_apart = contact.separation + shape_a.set.Radius() + shape_b.set.Radius() > 0;
-  if (!wants_least_translation || !cache.CanUpdateDistance() || !are_apart) return;
-  const bool had_face = cache.kind() == PairCache::Kind::kReferenceFace;
-  cache.SetReferenceFace(dgd::ReferenceSideOf(facing), had_face ? PairCache::Kind::kSeparatingAxis : cache.kind());
+void PairQuery::FindPatch(Contact& contact, PairContacts& contacts) {
+  dgd::WarmStart<double> warm_start = cache_.warm_start();
+  const auto plane_between = [&](const Pose& pose_a, const Pose& pose_b) {
+    return dgd::PlaneBetween(shape_a_.set, pose_a, shape_b_.set, pose_b, warm_start);
+  };
+  const auto patch_of = [&](const PosedShape& a, const PosedShape& b, const Contact& certified, const Moment& moment) {
+    if (!options_.contact_patch) return WitnessOnly(certified);
+    dgd::FacingFaces<double> facing;
+    dgd::FindFacingFaces(a.set, a.pose, b.set, b.pose, certified, options_.angular_tolerance, facing);
+    contacts.side = dgd::ReferenceSideOf(facing);
+    return dgd_bullet::FindPatch(certified, facing, rules_, moment);
+  };
+  FindContactsByMotion(shape_a_, shape_b_, rules_, contact, plane_between, patch_of, contacts);
+  DGD_ASSERT(contacts.patch.size <= limits_.patch_settings.max_points);
+}
+
+PairOutcome PairQuery::OutcomeOf(const Contact& contact, int patch_size) const {
+  PairOutcome outcome{
+      .iterations = contact.iterations, .patch_size = static_cast<std::uint8_t>(patch_size), .stage = stage_};
+  if (contact.status == dgd::Status::kSeparated) {
+    outcome.stage = PairOutcome::Stage::kSeparated;
+  } else if (contact.status != dgd::Status::kCoincidentCenters) {
+    outcome.gap = contact.RelativeGap();
+  }
+  return outcome;
+}
+
+PairOutcome PairQuery::FindContacts(PairContacts& contacts) {
+  Contact contact = FindContact();
+  DGD_ASSERT(contact.iterations >= 0);
+  if (!IsCertified(contact)) return {.fallback = FallbackOf(contact.status)};
+  const Contact solved = contact;
+  FindPatch(contact, contacts);
+  contacts.normal = contact.normal;
+  DGD_ASSERT(contacts.patch.size == 0 || IsUnit(contacts.normal));
+  return OutcomeOf(solved, contacts.patch.size);
 }
 
 }  // namespace DGD_BULLET_PRECISION

@@ -1,8 +1,6 @@
 // A query of two convex shapes in one step.
 #pragma once
 
-#include "dgd/any_set.h"
-#include "dgd/assert.h"
 #include "dgd/contact/facing_faces.h"
 #include "dgd/contact_patch.h"
 #include "dgd_bullet/linkage.h"
@@ -11,6 +9,7 @@
 #include "pipeline/pair_cache.h"
 #include "pipeline/pair_motion.h"
 #include "pipeline/pair_outcome.h"
+#include "pipeline/pair_patch.h"
 #include "pipeline/pair_state.h"
 #include "shapes/posed_shape.h"
 
@@ -23,47 +22,47 @@ inline namespace DGD_BULLET_PRECISION {
 PosedShape AdaptBody(Narrowphase& narrowphase, const btCollisionObjectWrapper& body, PairCache::Hull& hull,
                      bool for_user);
 
-/// The shapes A and B, in the order that they are solved in, what is wanted of them, and what the stages have found.
-struct PairQuery {
-  /// Reads the shapes, and brings the cache into their order. Throws what AdaptShape() does.
-  /// @param solved         The bodies in that order.
-  /// @param for_user       Whether this is a user's own query, for the contacts themselves (user_query.h).
-  /// @param motion_of_pair  Of A and B in the step; may be set up to SetLimits().
-  PairQuery(Narrowphase& narrowphase, const PairBodies& solved, bool is_swapped, bool for_user,
-            double breaking_threshold, const PairMotion& motion_of_pair, PairCache& cache_of_pair);
-
-  void SetLimits(const ContactRange& contact_range, const dgd::PatchSettings<double>& settings_of_patch);
-
-  /// Turns the normal to that of least translation, if that is wanted and the stage that found the contact has not.
-  void TurnNormal(Contact& contact);
-
-  /// Finds the faces that the shapes show each other along the contact's normal, if no stage has.
-  void FindFacing(const Contact& contact);
-
-  /// Leaves no reference face to the next query, for a contact that is not on it.
-  void DropReferenceFace() {
-    DGD_ASSERT(found_by != PairCache::Kind::kReferenceFace);
-    if (cache.kind() == PairCache::Kind::kReferenceFace) cache.Set(found_by);
-  }
-
-  const Options& options;
-  PairCache& cache;
-  const PairMotion& motion;
-  PosedShape shape_a, shape_b;
-  const bool is_user_query;
-  bool is_triangle = false;            ///< Whether B or A is one of many triangles of a mesh.
-  const bool wants_least_translation;  ///< Whether contacts have the normal of least translation.
-  const double flush;                  ///< NegligibleDistance(), metres.
+/// What is wanted of a pair.
+struct QueryLimits {
   ContactRange range;
   dgd::PatchSettings<double> patch_settings;
-  dgd::Settings<double> settings;
+  bool is_user_query;  ///< Whether a user queries the contacts themselves (user_query.h).
+  /// For a triangle of a mesh, its unit normal on either side, world; else zero.
+  Vector3 face_normal = Vector3::Zero();
+};
 
-  // What the stages have found.
-  PairOutcome::Stage stage = PairOutcome::Stage::kSolved;
-  PairCache::Kind found_by = PairCache::Kind::kSeparatingAxis;  ///< The kind without the reference face.
-  bool is_turned = false;           ///< Whether TurnNormal() has been called on the growth distance's normal.
-  bool has_facing = false;          ///< Whether `facing` is set; the proof of a signed distance brings it along.
-  dgd::FacingFaces<double> facing;  ///< The faces along the contact's normal.
+/// The shapes A and B, in the order that they are solved in, and what is wanted of them.
+class PairQuery {
+ public:
+  /// Reads the shapes, and brings the cache into their order. Throws what AdaptShape() does.
+  /// @param solved          The bodies in that order.
+  /// @param limits, motion  Motion of A and B in the step; both outlive this.
+  PairQuery(Narrowphase& narrowphase, const PairBodies& solved, bool is_swapped, const QueryLimits& limits,
+            double breaking_threshold, const PairMotion& motion, PairCache& cache);
+
+  /// Finds the contact and from it the patch.
+  /// @param contacts  Out: all but the motion, the normal from A to B.
+  /// @return the reason, if the contact is not certified.
+  PairOutcome FindContacts(PairContacts& contacts);
+
+ private:
+  /// The growth distance from where it left off; an app's own query, and bodies deep in each other, get the least
+  /// translation.
+  Contact FindContact();
+  /// Turns the contact of shapes that overlap to the triangle's own normal, if they overlap by less along that.
+  void TurnToFace(Contact& contact) const;
+  /// The patch of a certified contact.
+  /// @param contact  In and out: for bodies that meet within the step, the one of where they do.
+  void FindPatch(Contact& contact, PairContacts& contacts);
+  PairOutcome OutcomeOf(const Contact& contact, int patch_size) const;
+
+  const Options& options_;
+  PairCache& cache_;
+  PosedShape shape_a_, shape_b_;
+  const QueryLimits& limits_;
+  const PatchRules rules_;
+  dgd::Settings<double> settings_;
+  PairOutcome::Stage stage_ = PairOutcome::Stage::kSolved;
 };
 
 }  // namespace DGD_BULLET_PRECISION

@@ -10,8 +10,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "conditioning/rim_points.h"
-#include "conditioning/speculative_contacts.h"
 #include "dgd/assert.h"
 #include "dgd/contact/half_space_patch.h"
 #include "pipeline/contact_range.h"
@@ -50,21 +48,6 @@ double HeightOfBox(const btCollisionObject& body, const Border& border) {
   return border.up.dot((upper + lower) / 2 - border.point) - border.up.cwiseAbs().dot((upper - lower) / 2);
 }
 
-/// Against planes, Bullet's boxes have sharp edges.
-GeometryMode GeometryAgainstPlanes(const btConvexShape& shape, GeometryMode mode) {
-  return shape.getShapeType() == BOX_SHAPE_PROXYTYPE ? GeometryMode::kSharp : mode;
-}
-
-dgd::ContactPatch<double> FindPatchOnPlane(const PosedShape& shape, const Contact& contact,
-                                           const dgd::PatchSettings<double>& settings, const PairMotion& motion,
-                                           const Options& options) {
-  if (!options.contact_patch) return WitnessOnly(contact);
-  const auto facing = dgd::FindFacingFaces(shape.set, shape.pose, dgd::HalfSpace<double>(), contact);
-  dgd::ContactPatch<double> patch = FindPatch(contact, facing, settings, motion);
-  if (options.rim_damping) AddRimPointOnPlane(shape, contact, facing, settings, motion, patch);
-  return patch;
-}
-
 /// Whether a body at a height over a plane has no contact, and will have none in the step.
 bool IsOutOfReach(double height, const Border& border, const ContactRange& range, const PairMotion& motion) {
   return height > range.touching && (height > range.limit || !motion.MayApproachBy(height, -border.up));
@@ -74,34 +57,39 @@ bool IsOutOfReach(double height, const Border& border, const ContactRange& range
 PairOutcome SolveDistance(PairState& pair, std::shared_ptr<const CachedHull>& hull, const PairCall& call,
                           const Border& border, const ContactRange& range, PairContacts& contacts) {
   const Options& options = pair.options();
-  const PairMotion& motion = contacts.motion;
   const bool is_user_query = IsUserQuery(call.output);
   const btCollisionObjectWrapper& body = call.bodies.first;
   const btConvexShape& shape = ConvexShapeOf(body);
-  const PosedShape posed =
-      AdaptShape(shape, body.getWorldTransform(), GeometryAgainstPlanes(shape, options.geometry_mode),
-                 pair.narrowphase.hulls(), hull, pair.narrowphase.HullUseFor(is_user_query));
+  const PosedShape posed = AdaptShape(shape, body.getWorldTransform(), options.geometry_mode, pair.narrowphase.hulls(),
+                                      hull, pair.narrowphase.HullUseFor(is_user_query));
   const Pose pose_of_plane{dgd::FrameAlong<double>(border.up), border.point};
-  const Contact contact = dgd::GrowthDistance(posed.set, posed.pose, dgd::HalfSpace<double>(), pose_of_plane);
+  Contact contact = dgd::GrowthDistance(posed.set, posed.pose, dgd::HalfSpace<double>(), pose_of_plane);
   // Sets without an interior have a separation all the same.
   if (contact.status == dgd::Status::kInvalidInput) return {.fallback = Fallback::kInvalid};
   DGD_ASSERT(IsUnit(contact.normal));
-  contacts.normal = contact.normal;
-  if (IsOutOfReach(contact.separation, border, range, motion)) {
-    return {.iterations = contact.iterations, .stage = PairOutcome::Stage::kSeparated};
-  }
-  const double flush = NegligibleDistance(pair.manifold.BreakingThreshold());
-  // The classification of two convex shapes needs a point of the plane only.
+  const Contact solved = contact;
+  const auto settings = PatchSettingsOf(options, pair.manifold, range, is_user_query);
+  const PatchRules rules{options, range, settings, contacts.motion,
+                         NegligibleDistance(pair.manifold.BreakingThreshold())};
+  // A sweep along the plane's normal needs no more of the plane than a point.
   const PosedShape point_of_plane{dgd::RoundedSet{dgd::Point<double>(), 0.0}, pose_of_plane};
-  contacts.is_passing = contact.separation > flush && TurnsClear(posed, point_of_plane, motion, contact.normal, flush);
-  const bool may_be_knocked = contact.separation <= range.touching && !range.is_rebound;
-  if (!contacts.is_passing || may_be_knocked) {
-    const auto settings = PatchSettingsOf(options, pair.manifold, range, is_user_query);
-    contacts.patch = FindPatchOnPlane(posed, contact, settings, motion, options);
-  }
-  if (contacts.is_passing) LetPass(contacts.patch, contact.normal, motion, flush);
+  const auto plane_between = [&](const Pose& pose, const Pose& plane) {
+    return dgd::GrowthDistance(posed.set, pose, dgd::HalfSpace<double>(), plane);
+  };
+  const auto patch_of = [&](const PosedShape& moved, const PosedShape&, const Contact& certified,
+                            const Moment& moment) {
+    if (!options.contact_patch) return WitnessOnly(certified);
+    const auto facing = dgd::FindFacingFaces(moved.set, moved.pose, dgd::HalfSpace<double>(), certified);
+    return FindPatch(certified, facing, rules, moment);
+  };
+  FindContactsByMotion(posed, point_of_plane, rules, contact, plane_between, patch_of, contacts);
+  contacts.normal = contact.normal;
+  // The plane's own face is the contacts' reference face.
+  contacts.side = dgd::ReferenceSide::kSet2;
   DGD_ASSERT(contacts.patch.size <= options.patch_size);
-  return {.iterations = contact.iterations, .patch_size = static_cast<std::uint8_t>(contacts.patch.size)};
+  return {.iterations = solved.iterations,
+          .patch_size = static_cast<std::uint8_t>(contacts.patch.size),
+          .stage = contacts.patch.size > 0 ? PairOutcome::Stage::kSolved : PairOutcome::Stage::kSeparated};
 }
 
 /// The second stage: the body's bounding box is out of reach; and else the third. A plane has no end, so that all
@@ -130,8 +118,7 @@ PairOutcome RunPlanePipeline(PairState& pair, std::shared_ptr<const CachedHull>&
   PairContacts contacts;
   const PairOutcome outcome = CatchFailures([&] { return FindContacts(pair, hull, call, contacts); });
   if (outcome.fallback) return SolveByBullet(pair, call, *outcome.fallback);
-  // The plane's own face is the contacts' reference face.
-  return WriteContacts(pair, call, contacts, false, dgd::ReferenceSide::kSet2, outcome);
+  return WriteContacts(pair, call, contacts, false, outcome);
 }
 
 }  // namespace DGD_BULLET_PRECISION

@@ -50,7 +50,7 @@ template <class GetMotion>
 std::optional<PairOutcome> TryCachedAxis(const PairState& pair, const PairCache& cache, const PairBodies& bodies,
                                          double contact_distance, const GetMotion& get_motion) try {
   const Options& options = pair.options();
-  if (pair.had_contact || !cache.HasAxis() || !options.warm_start || options.geometry_mode != GeometryMode::kBullet) {
+  if (pair.had_contact || !cache.HasNormal() || !options.warm_start || options.geometry_mode != GeometryMode::kBullet) {
     return std::nullopt;
   }
   const bool is_swapped = ComesBefore(bodies.second, bodies.first);

@@ -4,6 +4,7 @@
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 
 #include "dgd/assert.h"
+#include "pipeline/contact_range.h"
 #include "pipeline/manifold_writer.h"
 #include "pipeline/pair_motion.h"
 #include "pipeline/user_query.h"
@@ -15,11 +16,17 @@ bool UpdateRecycledContacts(PairState& pair, const RecycledContacts::Side& a, co
                             const PairCall& call) {
   if (IsUserQuery(call.output)) return false;
   DGD_ASSERT(pair.recycled != nullptr && pair.manifold.IsOwn() && pair.manifold);
-  return pair.recycled->Update(a, b, pair.options(), call.info.m_timeStep, *pair.manifold, call.output);
+  PairMotion motion;
+  if (pair.is_for_step) {
+    const BoundedBody bounded_a(*call.bodies.first.getCollisionObject()),
+        bounded_b(*call.bodies.second.getCollisionObject());
+    motion = MotionOfStep(pair.manifold, bounded_a, bounded_b, call.info);
+  }
+  return pair.recycled->Update(a, b, pair.options(), motion, *pair.manifold, call.output);
 }
 
 PairOutcome WriteContacts(PairState& pair, const PairCall& call, const PairContacts& contacts, bool is_swapped,
-                          dgd::ReferenceSide side, const PairOutcome& outcome) {
+                          const PairOutcome& outcome) {
   const dgd::ContactPatch<double>& patch = contacts.patch;
   DGD_ASSERT(patch.size >= 0 && patch.size <= dgd::ContactPatch<double>::kMaxPoints);
   pair.had_contact = false;
@@ -32,9 +39,9 @@ PairOutcome WriteContacts(PairState& pair, const PairCall& call, const PairConta
     const PairMotion motion = is_swapped ? contacts.motion.Reversed() : contacts.motion;
     UpdateManifold(patch, contacts.normal, motion, ManifoldUpdateOf(options, call.output), call.output);
   }
-  if (!pair.had_contact || contacts.is_passing || !MayRecycle(options, pair.manifold)) return outcome;
+  if (!pair.had_contact || !contacts.may_recycle || !MayRecycle(options, pair.manifold)) return outcome;
   const PairBodies solved = call.bodies.InOrder(is_swapped);
-  const ReferenceFace face = ReferenceFaceOf(solved.first, solved.second, side, *pair.manifold);
+  const ReferenceFace face = ReferenceFaceOf(solved.first, solved.second, contacts.side, *pair.manifold);
   pair.is_recyclable =
       RecycledContacts::Cache(solved.first, solved.second, face, contacts.motion, *pair.manifold, pair.recycled);
   return outcome;

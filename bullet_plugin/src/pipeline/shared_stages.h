@@ -33,11 +33,10 @@ inline std::optional<PairOutcome> TryRecycledContacts(PairState& pair, const Rec
 
 /// Makes the manifold's points those of the patch, and caches them for the first stage of the next step.
 /// @param is_swapped  Whether the shapes are solved in the other order than the manifold's.
-/// @param side        The body, in the order that the shapes are solved in, that has the contacts' reference face.
 /// @param outcome     That of the stage that has found the contacts.
 /// @return it, or that there is no memory.
 PairOutcome WriteContacts(PairState& pair, const PairCall& call, const PairContacts& contacts, bool is_swapped,
-                          dgd::ReferenceSide side, const PairOutcome& outcome);
+                          const PairOutcome& outcome);
 
 /// Solves a pair by Bullet's own algorithm if that has a result, and else leaves the pair without contacts.
 /// @return the reason why no other stage has solved it, or that there is no memory.

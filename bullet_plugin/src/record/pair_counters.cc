@@ -44,9 +44,9 @@ void PairCounters::Count(int type_0, int type_1, const PairOutcome& outcome) {
     case PairOutcome::Stage::kRecycled:
       Increment(row.recycled);
       break;
-    case PairOutcome::Stage::kUpdated:
-      Increment(row.updated);
-      break;
+    case PairOutcome::Stage::kDeep:
+      Increment(row.deep);
+      [[fallthrough]];
     case PairOutcome::Stage::kSolved:
       Increment(row.solved);
       RaiseTo(outcome.gap, row.worst_gap);
@@ -72,10 +72,10 @@ std::vector<PairStatistics> PairCounters::Read() const {
       pair.type_1 = type_1;
       pair.separated = read(row.separated);
       pair.resting = read(row.recycled);
-      pair.followed = read(row.updated);
+      pair.deep = read(row.deep);
       pair.solved = read(row.solved);
       for (std::size_t i = 0; i < kFallbacks; ++i) CountOf(pair, static_cast<Fallback>(i)) = read(row.fallbacks[i]);
-      pair.calls = pair.separated + pair.resting + pair.followed + pair.solved + pair.Fallbacks();
+      pair.calls = pair.separated + pair.resting + pair.solved + pair.Fallbacks();
       std::transform(row.iterations.begin(), row.iterations.end(), pair.iterations.begin(), read);
       std::transform(row.patch_sizes.begin(), row.patch_sizes.end(), pair.patch_sizes.begin(), read);
       pair.worst_gap = row.worst_gap.load(std::memory_order_relaxed);

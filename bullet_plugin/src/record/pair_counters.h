@@ -27,7 +27,7 @@ class PairCounters {
  private:
   using Counter = std::atomic<std::uint64_t>;
   struct Row {
-    Counter separated{0}, recycled{0}, updated{0}, solved{0};
+    Counter separated{0}, recycled{0}, solved{0}, deep{0};
     std::array<Counter, kFallbacks> fallbacks{};
     std::array<Counter, PairStatistics::kMaxIterations + 1> iterations{};
     std::array<Counter, 5> patch_sizes{};

@@ -34,7 +34,7 @@ void WriteList(const Numbers& numbers, std::ostream& json) {
 void Write(const PairStatistics& pair, std::ostream& json) {
   json << "{\"type_0\": \"" << NameOf(pair.type_0) << "\", \"type_1\": \"" << NameOf(pair.type_1)
        << "\", \"calls\": " << pair.calls << ", \"separated\": " << pair.separated << ", \"resting\": " << pair.resting
-       << ", \"followed\": " << pair.followed << ", \"solved\": " << pair.solved << ", ";
+       << ", \"solved\": " << pair.solved << ", \"deep\": " << pair.deep << ", ";
   WriteFallbacks(pair, json);
   json << ", \"iterations\": ";
   WriteList(pair.iterations, json);

@@ -16,15 +16,6 @@ namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 namespace {
 
-/// Radius as a part of a box's least half extent: boxes tip early by as much (tests/physics, tip), and boxes at rest
-/// overlap by less than a tenth of it.
-constexpr btScalar kEdgeRadius = btScalar(1) / 512;
-
-Vector3 CoreOf(const btBoxShape& box, btScalar edge_radius) {
-  const btVector3 half = box.getHalfExtentsWithMargin() - btVector3(edge_radius, edge_radius, edge_radius);
-  return FromBullet(btVector3(ClampHalfExtent(half.x()), ClampHalfExtent(half.y()), ClampHalfExtent(half.z())));
-}
-
 /// The hull of a shape's points, cached in `hull` from one call to the next.
 dgd::CoreReference<dgd::Polytope<double>> HullOf(const btConvexShape& shape, HullCache& cache,
                                                  std::shared_ptr<const CachedHull>& hull, HullUse use) {
@@ -56,11 +47,6 @@ int UpAxis(const btConvexShape& shape) {
   }
 }
 
-btScalar EdgeRadius(const btBoxShape& box) {
-  const btVector3 half = box.getHalfExtentsWithMargin();
-  return btMin(box.getMargin(), kEdgeRadius * half[half.minAxis()]);
-}
-
 PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, GeometryMode geometry, HullCache& cache,
                       std::shared_ptr<const CachedHull>& hull, HullUse use) {
   const int type = shape.getShapeType();
@@ -85,10 +71,11 @@ PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, 
           FromBullet(transform)};
     }
     case BOX_SHAPE_PROXYTYPE: {
-      const auto& box = static_cast<const btBoxShape&>(shape);
-      const double edge_radius = is_sharp ? 0 : double(EdgeRadius(box));
-      const Vector3 core = CoreOf(box, btScalar(edge_radius));
-      return {dgd::RoundedSet{dgd::Box<double>(core), edge_radius}, FromBullet(transform)};
+      // A box includes its margin, and users see it with sharp edges, as Bullet's own test of two boxes does.
+      const btVector3 half = static_cast<const btBoxShape&>(shape).getHalfExtentsWithMargin();
+      const Vector3 core =
+          FromBullet({ClampHalfExtent(half.x()), ClampHalfExtent(half.y()), ClampHalfExtent(half.z())});
+      return {dgd::RoundedSet{dgd::Box<double>(core), 0.0}, FromBullet(transform)};
     }
     case CYLINDER_SHAPE_PROXYTYPE: {
       const auto& cylinder = static_cast<const btCylinderShape&>(shape);

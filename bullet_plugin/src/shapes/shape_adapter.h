@@ -13,19 +13,12 @@
 #include "shapes/hull_cache.h"
 #include "shapes/posed_shape.h"
 
-class btBoxShape;
-
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
 /// A margin that is larger than a box or cylinder leaves Bullet a negative core, which is no set: its extent counts as
 /// zero. NaN stays NaN, which the set rejects.
 inline btScalar ClampHalfExtent(btScalar half_extent) { return half_extent < 0 ? btScalar(0) : half_extent; }
-
-/// Radius of a box's edges, which are within its size; metres. Users see sharp boxes, and so does Bullet's own test of
-/// two boxes: with edges rounded by the whole margin they tip and fall off ledges early. The small radius keeps the
-/// cores of touching boxes apart, so that their distance is that of the cores, without a penetration search.
-btScalar EdgeRadius(const btBoxShape& box);
 
 /// The convex shape of a body.
 inline const btConvexShape& ConvexShapeOf(const btCollisionObjectWrapper& body) {

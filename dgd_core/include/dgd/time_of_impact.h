@@ -20,6 +20,9 @@ struct SweepSettings {
   /// Sets nearer than this touch; metres, > 0. The default is some hundred times what roundoff leaves of coordinates of
   /// a few metres; with larger ones, it must be raised.
   S tolerance = sizeof(S) == 8 ? S(1e-10) : S(1e-5);
+  /// Sets that overlap by no more than this do not touch yet; metres, >= 0. Bodies that lie on each other may so slide
+  /// past what is flush with their support but for roundoff.
+  S allowed_overlap = 0;
   int max_planes = 100;  ///< Most planes to try; >= 1.
 };
 
@@ -88,10 +91,10 @@ TimeOfImpactResult<typename Set1::Scalar> TimeOfImpact(const Set1& set_1, const 
   DGD_ASSERT(settings.tolerance > 0 && settings.max_planes >= 1);
   TimeOfImpactResult<S> result;
   if (!motion_1.IsFinite() || !motion_2.IsFinite()) return result;
-  PlaneSweep<Set1, Set2> sweep(set_1, motion_1, set_2, motion_2);
+  PlaneSweep<Set1, Set2> sweep(set_1, motion_1, set_2, motion_2, settings.allowed_overlap);
   result.status = Status::kIterationLimit;
   while (result.planes < settings.max_planes) {
-    const ResultOf<Set1> plane = plane_between(motion_1.At(result.time), motion_2.At(result.time));
+    const Result<S> plane = plane_between(motion_1.At(result.time), motion_2.At(result.time));
     if (plane.status == Status::kInvalidInput) return {};
     ++result.planes;
     result.iterations += plane.iterations;
@@ -99,8 +102,9 @@ TimeOfImpactResult<typename Set1::Scalar> TimeOfImpact(const Set1& set_1, const 
     result.separation = plane.separation;
     result.witness_1 = plane.witness_1;
     result.witness_2 = plane.witness_2;
-    if (!(plane.separation > settings.tolerance)) {
-      const bool from_start = result.time == 0 && plane.separation < -settings.tolerance;
+    const S clearance = plane.separation + settings.allowed_overlap;
+    if (!(clearance > settings.tolerance)) {
+      const bool from_start = result.time == 0 && clearance < -settings.tolerance;
       result.status = from_start ? Status::kColliding : Status::kTouching;
       break;
     }

@@ -85,10 +85,12 @@ class PlaneSweep {
   using S = typename Set1::Scalar;
   using Point = Vector3<S>;
 
-  PlaneSweep(const Set1& set_1, const Motion<S>& motion_1, const Set2& set_2, const Motion<S>& motion_2)
+  /// @param allowed_overlap  What every separation here is larger by than that of the sets; metres.
+  PlaneSweep(const Set1& set_1, const Motion<S>& motion_1, const Set2& set_2, const Motion<S>& motion_2,
+             S allowed_overlap = 0)
       : set_1_(set_1, motion_1),
         set_2_(set_2, motion_2),
-        radius_(set_1.radius + set_2.radius),
+        radius_(set_1.radius + set_2.radius - allowed_overlap),
         start_(motion_2.CenterAt(0) - motion_1.CenterAt(0)),
         translation_(motion_2.translation - motion_1.translation) {}
 
@@ -155,7 +157,7 @@ class PlaneSweep {
 
   MovingSet<Set1> set_1_;
   MovingSet<Set2> set_2_;
-  S radius_;
+  S radius_;                    // Of both sets, less the allowed overlap.
   Point start_, translation_;  // Of set 2's centre from set 1's.
   int evaluations_ = 0;
 };

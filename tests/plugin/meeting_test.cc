@@ -1,12 +1,11 @@
-// Whether bodies that approach each other meet within the step.
-#include "conditioning/speculative_contacts.h"
+// Whether bodies that approach each other meet within the step, and where.
+#include "ahead/meeting.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "pipeline/pair_distance.h"
 #include "plugin/rigid_body.h"
 
 namespace dgd_test {
@@ -23,9 +22,18 @@ dgd_bullet::PosedShape BoxAt(const Vector3& half, const Vector3& place) {
   return {dgd::RoundedSet{dgd::Box<double>(half - radii), kRadius}, {Eigen::Matrix3d::Identity(), place}};
 }
 
+dgd_bullet::Meeting MeetingOf(dgd_bullet::MovingPair& pair) {
+  dgd::WarmStart<double> warm_start;
+  const auto plane_between = [&](const dgd_bullet::Pose& pose_a, const dgd_bullet::Pose& pose_b) {
+    return dgd::PlaneBetween(pair.a().set, pose_a, pair.b().set, pose_b, warm_start);
+  };
+  const dgd_bullet::Contact start = plane_between(pair.a().pose, pair.b().pose);
+  return FindMeeting(pair, start, kFlush, plane_between);
+}
+
 /// A tile of 2 m whose top is z = 0, and a box of 50 cm that moves by `way` in the step; `edge` is how far its front is
 /// before the tile.
-dgd_bullet::PredictedEncounter Encountering(double height, double edge, const Vector3& way) {
+dgd_bullet::Meeting Encountering(double height, double edge, const Vector3& way) {
   const dgd_bullet::PosedShape tile = BoxAt({1, 1, 1}, {2, 0, -1}),
                                box = BoxAt({0.25, 0.25, 0.25}, {0.75 - edge, 0, 0.25 + height});
   btBoxShape shape(Vec(0.25, 0.25, 0.25));
@@ -33,36 +41,32 @@ dgd_bullet::PredictedEncounter Encountering(double height, double edge, const Ve
   const auto moving = MakeRigidBody(shape, 1, btTransform(btQuaternion::getIdentity(), Vec(0.75 - edge, 0, 0.25)));
   moving->setLinearVelocity(Vec(way.x(), way.y(), way.z()));
   const dgd_bullet::PairMotion motion(dgd_bullet::BoundedBody(*still), dgd_bullet::BoundedBody(*moving), 1);
-
-  dgd::Settings<double> settings;
-  dgd::WarmStart<double> warm_start;
-  dgd::Result<double> result = dgd::GrowthDistance(tile.set, tile.pose, box.set, box.pose, settings, &warm_start);
-  const bool follows = dgd_bullet::TurnToLeastTranslation(tile, box, settings, warm_start, result);
   dgd_bullet::MovingPair pair(tile, box, motion);
-  pair.MoveTo(1);
-  const double at_end = pair.SeparationAlong(result.normal);
-  EXPECT_LT(at_end, -kFlush) << "the plane between them does not keep them apart";
-  return PredictEncounter(pair, settings, warm_start, follows, result, at_end, kFlush);
+  return MeetingOf(pair);
 }
 
-TEST(PredictEncounter, FlushBox_PassesOntoTheTile) {
-  const auto onto = Encountering(-1e-6, 0.05, {0.3, 0, 0});
-  EXPECT_EQ(onto.encounter, Encounter::kPass);
-  EXPECT_NEAR(onto.contact.normal.z(), 1, 1e-6) << "along the tile's top";
+TEST(FindMeeting, FlushBox_PassesOntoTheTile) {
+  EXPECT_EQ(Encountering(-1e-6, 0.05, {0.3, 0, 0}).encounter, Encounter::kPass);
 }
 
-TEST(PredictEncounter, LowerBox_MeetsTheTilesSide) {
-  EXPECT_EQ(Encountering(-1e-2, 0.05, {0.3, 0, 0}).encounter, Encounter::kMeet);
+TEST(FindMeeting, LowerBox_MeetsTheTilesSide) {
+  const auto side = Encountering(-1e-2, 0.05, {0.3, 0, 0});
+  EXPECT_EQ(side.encounter, Encounter::kMeet);
+  EXPECT_LT(side.contact.normal.x(), -0.99);
 }
 
-TEST(PredictEncounter, FallingBox_MeetsTheTopAside) {
-  const auto aside = Encountering(0.02, 0.05, {0.3, 0, -0.05});
-  EXPECT_EQ(aside.encounter, Encounter::kMeetAside);
-  EXPECT_GT(aside.contact.normal.z(), 0.9);
+TEST(FindMeeting, FallingBox_MeetsTheTop) {
+  const auto top = Encountering(0.02, 0.05, {0.3, 0, -0.05});
+  EXPECT_EQ(top.encounter, Encounter::kMeet);
+  EXPECT_GT(top.contact.normal.z(), 0.99);
 }
 
-TEST(PredictEncounter, BoxThatIsHigher_Passes) {
+TEST(FindMeeting, BoxThatIsHigher_Passes) {
   EXPECT_EQ(Encountering(0.02, 0.05, {0.3, 0, 0}).encounter, Encounter::kPass);
+}
+
+TEST(FindMeeting, BoxThatStopsShort_StaysApart) {
+  EXPECT_EQ(Encountering(-1e-2, 0.05, {0.04, 0, 0}).encounter, Encounter::kApart);
 }
 
 /// A ball above the tile's middle, which moves and spins.
@@ -72,7 +76,8 @@ class BallOverTile : public testing::Test {
   static constexpr double kRoundoff = sizeof(btScalar) == sizeof(double) ? 1e-9 : 1e-6;
 
   /// The contact where they are at the step's end, as it is at its start. The ball is shape A, or B.
-  dgd::Result<double> AtStart(double height, const Vector3& velocity, const Vector3& spin, bool is_ball_first = true) {
+  dgd::ContactPoint<double> AtStart(double height, const Vector3& velocity, const Vector3& spin,
+                                    bool is_ball_first = true) {
     start_ = {2, 0, kRadius + height};
     const dgd_bullet::PosedShape tile = BoxAt({1, 1, 1}, {2, 0, -1}),
                                  ball = {dgd::RoundedSet{dgd::Point<double>(), kRadius},
@@ -89,21 +94,28 @@ class BallOverTile : public testing::Test {
     dgd_bullet::MovingPair pair =
         is_ball_first ? dgd_bullet::MovingPair(ball, tile, motion) : dgd_bullet::MovingPair(tile, ball, motion);
     pair.MoveTo(1);
-    dgd::WarmStart<double> warm_start;
-    return pair.AtStart(pair.Distance({}, false, warm_start));
+    const auto contact =
+        dgd::SignedDistance(pair.a().set, pair.a().pose, pair.b().set, pair.b().pose, dgd::Settings<double>());
+    normal_ = contact.normal;
+    dgd::ContactPatch<double> patch;
+    patch.size = 1;
+    patch.points[0] = {contact.witness_1, contact.witness_2, contact.separation};
+    pair.MoveToStart(contact.normal, patch);
+    return patch.points[0];
   }
 
   Vector3 start_ = Vector3::Zero();  // The ball's centre.
+  Vector3 normal_ = Vector3::Zero();
 };
 
 // The point that touches next is below the ball's centre. What has turned to where it will be comes from behind, with
 // an arm that would brake the ball.
 TEST_F(BallOverTile, SpinningBall_TouchesBelowItsCentre) {
   for (const Vector3& spin : {Vector3(0, 0, 0), Vector3(0, 3, 0), Vector3(-7, 2, 5)}) {
-    const dgd::Result<double> contact = AtStart(1e-3, {0.9, 0.2, 0}, spin);
+    const dgd::ContactPoint<double> contact = AtStart(1e-3, {0.9, 0.2, 0}, spin);
     const Vector3 below = start_ - kRadius * Vector3::UnitZ();
-    EXPECT_LE((contact.witness_1 - below).norm(), kRoundoff) << spin.transpose();
-    EXPECT_LE((contact.witness_2 - contact.witness_1 - contact.separation * contact.normal).norm(), kRoundoff);
+    EXPECT_LE((contact.on_1 - below).norm(), kRoundoff) << spin.transpose();
+    EXPECT_NEAR(contact.on_2.z(), 0, kRoundoff) << "each place is on its own body";
   }
 }
 
@@ -117,10 +129,11 @@ TEST_F(BallOverTile, FallingBall_IsAsFarAsItFalls) {
 }
 
 TEST_F(BallOverTile, OtherOrder_SamePlaces) {
-  const dgd::Result<double> contact = AtStart(0.02, {0.9, 0.2, -0.15}, {1, 3, 0}),
-                            mirrored = AtStart(0.02, {0.9, 0.2, -0.15}, {1, 3, 0}, false);
-  EXPECT_LE((contact.witness_1 - mirrored.witness_2).norm(), kRoundoff);
-  EXPECT_LE((contact.normal + mirrored.normal).norm(), kRoundoff);
+  const dgd::ContactPoint<double> contact = AtStart(0.02, {0.9, 0.2, -0.15}, {1, 3, 0});
+  const Vector3 normal = normal_;
+  const dgd::ContactPoint<double> mirrored = AtStart(0.02, {0.9, 0.2, -0.15}, {1, 3, 0}, false);
+  EXPECT_LE((contact.on_1 - mirrored.on_2).norm(), kRoundoff);
+  EXPECT_LE((normal + normal_).norm(), kRoundoff);
   EXPECT_NEAR(contact.separation, mirrored.separation, kRoundoff);
 }
 
@@ -141,21 +154,15 @@ bool TurningCubeMeets(double start, double angle, double sinks) {
   // Its corner is on its way down as fast as the rim turns: along a straight line it would be far below the top.
   const Vector3 corner = cube.pose * Vector3(0.2, 0, -0.2);
   EXPECT_GT(motion.Approach(corner, -Vector3::UnitZ()), 0.02);
-  const bool turns_clear = dgd_bullet::TurnsClear(cube, tile, motion, -Vector3::UnitZ(), kFlush);
-  // A contact that is handed over all the same is not closed by the straight motion.
-  dgd::ContactPatch<double> patch;
-  patch.size = 1;
-  patch.points[0] = {corner, {corner.x(), corner.y(), 0}, corner.z()};
-  dgd_bullet::LetPass(patch, -Vector3::UnitZ(), motion, kFlush);
-  EXPECT_GT(patch.points[0].separation, motion.Approach(patch.points[0].on_2, -Vector3::UnitZ()));
-  return !turns_clear;
+  dgd_bullet::MovingPair pair(cube, tile, motion);
+  return MeetingOf(pair).encounter == Encounter::kMeet;
 }
 
-TEST(TurnsClear, CubeThatTurnsClear_DoesNotMeet) {
+TEST(FindMeeting, CubeThatTurnsClear_DoesNotMeet) {
   for (const double angle : {0.3, 0.8, 1.5}) EXPECT_FALSE(TurningCubeMeets(0.5, angle, 0)) << angle;
 }
 
-TEST(TurnsClear, CubeThatSinksAsItTurns_Meets) {
+TEST(FindMeeting, CubeThatSinksAsItTurns_Meets) {
   // At the end of the step, and half way only: a face is down at the end.
   EXPECT_TRUE(TurningCubeMeets(0.5, 0.3, 0.01));
   EXPECT_TRUE(TurningCubeMeets(std::numbers::pi / 8, std::numbers::pi / 4, 0.006));
