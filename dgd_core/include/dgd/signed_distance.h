@@ -11,7 +11,7 @@
 
 #include "dgd/assert.h"
 #include "dgd/distance/signed_distance_search.h"
-#include "dgd/distance/warm_distance.h"
+#include "dgd/distance/world_difference.h"
 #include "dgd/growth_distance.h"
 #include "dgd/inlining.h"
 #include "dgd/query_types.h"
@@ -42,21 +42,6 @@ struct SignedDistanceResult {
 };
 
 namespace signed_distance_internal {
-/// How UpdateDistance() works.
-template <class Set1, class Set2>
-using UpdateSearch = std::conditional_t<MinkowskiDifference<Set1, Set2>::kIsPolytope, WarmDistance<Set1, Set2>,
-                                        SignedDistanceSearch<Set1, Set2>>;
-
-template <class Search>
-void Report(const Search& search, SignedDistanceResult<typename Search::S>& result) {
-  result.normal = search.Normal();
-  result.separation = search.Separation();
-  result.upper_bound = search.UpperBound();
-  result.witness_1 = search.Witness1();
-  result.witness_2 = search.Witness2();
-  DGD_ASSERT(!(std::abs(result.normal.squaredNorm() - 1) > kSqrtEpsilon<typename Search::S>));
-}
-
 template <class S>
 bool IsFinite(const SignedDistanceResult<S>& result) {
   return std::isfinite(result.normal.sum() + result.separation + result.witness_1.sum() + result.witness_2.sum());
@@ -66,11 +51,17 @@ bool IsFinite(const SignedDistanceResult<S>& result) {
 /// @param follow  As of SignedDistance(), or null.
 template <class Search, class State>
 SignedDistanceResult<typename Search::S> FoundBy(const Search& search, Status status, State* follow) {
+  const auto& found = search.Found();
   SignedDistanceResult<typename Search::S> result;
   result.status = status;
-  result.iterations = search.Iterations();
+  result.iterations = found.iterations;
   if (status == Status::kInvalidInput) return result;
-  Report(search, result);
+  result.normal = found.Normal();
+  result.separation = found.Separation();
+  result.upper_bound = found.UpperBound();
+  result.witness_1 = found.Witness1();
+  result.witness_2 = found.Witness2();
+  DGD_ASSERT(!(std::abs(result.normal.squaredNorm() - 1) > kSqrtEpsilon<typename Search::S>));
   if (!IsFinite(result)) {
     result.status = Status::kInvalidInput;  // A support function gave a value that is not finite.
     return result;
@@ -95,7 +86,7 @@ SignedDistanceResult<typename Set1::Scalar> SignedDistance(const Set1& set_1, co
                                                            const WarmStartOf<Set1>* warm_start = nullptr,
                                                            const Settings<typename Set1::Scalar>& settings = {},
                                                            WarmStartOf<Set1>* follow = nullptr) {
-  SignedDistanceSearch<Set1, Set2> search(set_1, pose_1, set_2, pose_2, settings);
+  SignedDistanceSearch<MinkowskiDifference<Set1, Set2>> search(set_1, pose_1, set_2, pose_2, settings);
   const Status status = search.Solve(growth, warm_start);
   return signed_distance_internal::FoundBy(search, status, follow);
 }
@@ -110,13 +101,13 @@ SignedDistanceResult<typename Set1::Scalar> SignedDistance(const Set1& set_1, co
                                                            const Set2& set_2, const PoseOf<Set1>& pose_2,
                                                            const Settings<typename Set1::Scalar>& settings = {},
                                                            WarmStartOf<Set1>* follow = nullptr) {
-  SignedDistanceSearch<Set1, Set2> search(set_1, pose_1, set_2, pose_2, settings);
+  SignedDistanceSearch<MinkowskiDifference<Set1, Set2>> search(set_1, pose_1, set_2, pose_2, settings);
   const std::optional<Status> status = search.TryFromCenters();
   if (!status) {
     WarmStartOf<Set1> warm_start;
     const ResultOf<Set1> growth = GrowthDistance(set_1, pose_1, set_2, pose_2, settings, &warm_start);
     auto result = SignedDistance(set_1, pose_1, set_2, pose_2, growth, &warm_start, settings, follow);
-    result.iterations += search.Iterations() + growth.iterations;
+    result.iterations += search.Found().iterations + growth.iterations;
     return result;
   }
   return signed_distance_internal::FoundBy(search, *status, follow);
@@ -137,13 +128,16 @@ DGD_FLATTEN SignedDistanceResult<typename Set1::Scalar> UpdateDistance(const Set
                                                                        const Set2& set_2, const PoseOf<Set1>& pose_2,
                                                                        const Settings<typename Set1::Scalar>& settings,
                                                                        WarmStartOf<Set1>& state) {
-  signed_distance_internal::UpdateSearch<Set1, Set2> search(set_1, pose_1, set_2, pose_2, settings);
+  using InRayFrame = MinkowskiDifference<Set1, Set2>;
+  using Difference =
+      std::conditional_t<InRayFrame::kIsPolytope, distance_internal::WorldDifference<Set1, Set2>, InRayFrame>;
+  SignedDistanceSearch<Difference> search(set_1, pose_1, set_2, pose_2, settings);
+  const Status status = search.Update(state);
+  const bool has_failed = status != Status::kOptimal && status != Status::kSeparated;
+  if (!has_failed) return signed_distance_internal::FoundBy(search, status, &state);
   SignedDistanceResult<typename Set1::Scalar> result;
-  result.status = search.Solve(state);
-  result.iterations = search.Iterations();
-  if (result.status != Status::kOptimal && result.status != Status::kSeparated) return result;
-  signed_distance_internal::Report(search, result);
-  search.Remember(result.status, state);
+  result.status = status;
+  result.iterations = search.Found().iterations;
   return result;
 }
 

@@ -6,7 +6,7 @@
 //    from above; faces behind the best of these, which begins with the growth distance's, are not looked at.
 //  * The inner approximation of a curved set alone converges linearly: between its points, Newton's steps are taken
 //    from the best plane (newton_step.h); and once no normal elsewhere can be much better, down to the best nearby,
-//    be it on a kink (piece_search.h). What is left is to look at the faces elsewhere. A deep overlap may need more
+//    be it on a kink (local_minimum.h). What is left is to look at the faces elsewhere. A deep overlap may need more
 //    points than the polytope has room for: then it is begun from scratch, at a smaller scale.
 #pragma once
 
@@ -19,44 +19,28 @@
 #include <optional>
 
 #include "dgd/assert.h"
+#include "dgd/distance/distance_bounds.h"
 #include "dgd/distance/epa.h"
 #include "dgd/distance/gjk_simplex.h"
+#include "dgd/distance/local_minimum.h"
 #include "dgd/distance/newton_step.h"
-#include "dgd/distance/piece_search.h"
 #include "dgd/inlining.h"
 #include "dgd/query_types.h"
 
 namespace dgd::distance_internal {
 
-/// The search about an origin inside of K, or on its border. Lengths in metres, in the ray's frame, as in PlaneSearch.
-template <class Set1, class Set2>
-class EpaSearch : protected PieceSearch<Set1, Set2> {
-  using Base = PieceSearch<Set1, Set2>;
-
+/// The search about an origin inside of K, or on its border. Lengths in metres, as in DistanceBounds.
+template <class DifferenceOfCores>
+class EpaSearch {
  public:
-  using Base::Base;
-  using typename Base::Difference;
-  using typename Base::Feature;
-  using typename Base::Point;
-  using typename Base::S;
+  using Bounds = DistanceBounds<DifferenceOfCores>;
+  using Difference = DifferenceOfCores;
+  using Feature = typename Bounds::Feature;
+  using Point = typename Bounds::Point;
+  using S = typename Bounds::S;
 
- protected:
-  using Base::best_;
-  using Base::Cut;
-  using Base::difference_;
-  using Base::is_news_;
-  using Base::is_stationary_;
-  using Base::IsExhausted;
-  using Base::RoundoffBound;
-  using Base::size_;
-  using Base::SupportError;
-  using Base::TangentsAt;
-  using Base::Tolerance;
-  using typename Base::Corners;
-  using typename Base::LocalMinimum;
-  using typename Base::Tangents;
-
-  bool IsOptimal() const { return nearest_ + best_.height <= Tolerance(); }
+  /// @param bounds  In and out.
+  explicit EpaSearch(Bounds& bounds) : bounds_(bounds), best_(bounds.best) {}
 
   /// The origin is on a feature of K, within roundoff: on its border, where the signed distance is 0, or inside.
   DGD_NOINLINE Status HandleBoundaryOrigin(const GjkSimplex<S>& simplex) {
@@ -66,39 +50,46 @@ class EpaSearch : protected PieceSearch<Set1, Set2> {
     while (size < 4) {
       if (!FindCorner(corners, size)) {
         // K is flat: not a tetrahedron, and along the best plane's normal it has no extent.
-        return Finish(Status::kOptimal, simplex.Combination());
+        return bounds_.Finish(Status::kOptimal, simplex.Combination());
       }
       ++size;
     }
-    return RunEpa(corners);
+    return RunFrom(corners);
   }
 
   /// With the origin inside K.
-  DGD_FLATTEN DGD_NOINLINE Status RunEpa(const std::array<Feature, 4>& corners) {
+  DGD_NOINLINE Status RunFrom(const std::array<Feature, 4>& corners) {
     if constexpr (Difference::kIsSmooth) StartNewtonFromBestPlane();
-    nearest_ = std::numeric_limits<S>::infinity();
-    EpaPolytope<S> polytope(corners, SupportError(), size_);
+    EpaPolytope<S> polytope(corners, bounds_.SupportError(), bounds_.size);
+    return RunEpa(polytope);
+  }
+
+  /// The same with a polytope that is there already.
+  DGD_FLATTEN DGD_NOINLINE Status RunEpa(EpaPolytope<S>& polytope) {
+    bounds_.nearest = std::numeric_limits<S>::infinity();
     const auto finish = [&](Status status) {
       if constexpr (Difference::kIsPolytope) polytope.Leave(corners_.emplace());
       if (HasMinimum()) return FinishAt(*minimum_);
-      return Finish(status, polytope.NearestTo(best_.height * best_.normal));
+      return bounds_.Finish(status, polytope.NearestTo(best_.height * best_.normal));
     };
     for (;;) {
       const auto* face = &polytope.Nearest();
-      nearest_ = std::min(nearest_, -polytope.Inradius());
-      if (IsOptimal()) return finish(Status::kOptimal);
-      if (is_stationary_ && IsBestElsewhere()) return finish(Status::kOptimal);
+      bounds_.nearest = std::min(bounds_.nearest, -polytope.Inradius());
+      if (bounds_.IsOptimal()) return finish(Status::kOptimal);
+      if (best_.is_stationary && IsBestElsewhere()) return finish(Status::kOptimal);
       if constexpr (Difference::kIsSmooth) {
         if (const auto& minimum = FindMinimum(polytope)) {
           face = polytope.NearestAside(minimum->plane.normal, kNearby);
-          if (face == nullptr || best_.height - face->distance <= Tolerance()) return finish(Status::kOptimal);
+          if (face == nullptr || best_.height - face->distance <= bounds_.Tolerance()) return finish(Status::kOptimal);
         }
       }
-      if (IsExhausted()) return finish(Status::kIterationLimit);
+      if (bounds_.IsExhausted()) return finish(Status::kIterationLimit);
       if (polytope.IsSliver(*face)) return finish(Status::kStalled);
       const Point own = face->normal;
       const Point normal = NextNormal(own);
-      if (polytope.Add(Cut(normal))) continue;
+      const Feature support = bounds_.Cut(normal);
+      if (Difference::kIsPolytope && bounds_.IsOptimal()) return finish(Status::kOptimal);
+      if (polytope.Add(support)) continue;
       if constexpr (!Difference::kIsPolytope) {
         if (polytope.IsFull()) return Refine(polytope);
       }
@@ -106,63 +97,50 @@ class EpaSearch : protected PieceSearch<Set1, Set2> {
     }
   }
 
-  /// Keeps the point of the inner approximation for the witness points; or a support point that is nearer to the
-  /// plane's foot, as of smooth sets it is. Each witness point is put on its set's supporting plane, which the inner
-  /// approximation is below by the gap.
-  /// @param status  How the search ended, unless the bounds agree all the same.
-  Status Finish(Status status, const Feature& of_inner) {
-    DGD_ASSERT(IsUnitOrNan(best_.normal));
-    foot_ = of_inner;
-    if (best_.has_support) {
-      const Feature& support = best_.support;
-      const Point ideal = best_.height * best_.normal;
-      if ((support.point - ideal).squaredNorm() < (foot_.point - ideal).squaredNorm()) foot_ = support;
-      foot_.on_1 += best_.normal.dot(support.on_1 - foot_.on_1) * best_.normal;
-      foot_.point += best_.normal.dot(support.point - foot_.point) * best_.normal;
-    }
-    return IsOptimal() ? Status::kOptimal : status;
+  /// Leaves the points of the expanding polytope for another search.
+  /// @return false if there are none: there was no polytope, or the sets are curved.
+  bool Leave(WarmStart<S>& state) const {
+    if (corners_) state = *corners_;
+    return corners_.has_value();
   }
-
-  S nearest_ = std::numeric_limits<S>::infinity();  // Signed distance of K's inner approximation, metres.
-  Feature foot_;                                    // The witness points' difference, without radii.
-  std::optional<WarmStart<S>> corners_;             // Of the expanding polytope, at its end; of polytopes.
 
  private:
   /// Leaves the best plane to Newton's first step, which needs a support point: the growth distance's plane has none.
   void StartNewtonFromBestPlane() requires(Difference::kIsSmooth) {
-    is_news_ = true;
+    best_.is_new = true;
     if (best_.has_support) return;
     const Point normal = best_.normal;
     best_.height = std::numeric_limits<S>::infinity();
-    Cut(normal);
+    bounds_.CutOutOfLine(normal);
   }
 
   /// The best normal nearby the best plane's, once no normal elsewhere is much better; nothing before, and if there is
   /// none to be found. Another one where a better plane turns up elsewhere.
-  const std::optional<LocalMinimum>& FindMinimum(const EpaPolytope<S>& polytope) requires(Difference::kIsSmooth) {
+  const std::optional<LocalMinimum<Bounds>>& FindMinimum(const EpaPolytope<S>& polytope) requires(
+      Difference::kIsSmooth) {
     if (minimum_ && !HasMinimum()) {
       minimum_.reset();
       may_descend_ = true;
     }
     if (may_descend_ && IsBestElsewhere()) {
       may_descend_ = false;
-      minimum_ = this->Descend(this->CornersOf(polytope.TriangleNearestTo(best_.height * best_.normal)));
+      minimum_ = FindLocalMinimum(bounds_, Corners<S>(polytope.TriangleNearestTo(best_.height * best_.normal)));
     }
     return minimum_;
   }
 
   /// Whether a local minimum was found, and no plane since then is better.
-  bool HasMinimum() const { return minimum_ && !(best_.height < minimum_->plane.height - Tolerance()); }
+  bool HasMinimum() const { return minimum_ && !(best_.height < minimum_->plane.height - bounds_.Tolerance()); }
 
   /// With a normal that is the best nearby, and none elsewhere much better. Another plane may be better by less than
   /// the tolerance, and far away: its foot is not this one's.
-  Status FinishAt(const LocalMinimum& minimum) {
+  Status FinishAt(const LocalMinimum<Bounds>& minimum) {
     best_ = minimum.plane;
-    return Finish(Status::kOptimal, minimum.foot);
+    return bounds_.Finish(Status::kOptimal, minimum.foot);
   }
 
   /// With the origin inside K: whether no normal elsewhere is much better.
-  bool IsBestElsewhere() const { return best_.height + nearest_ <= kElsewhere * best_.height; }
+  bool IsBestElsewhere() const { return best_.height + bounds_.nearest <= kElsewhere * best_.height; }
 
   /// Finds a point of K off the affine hull of the first `size` corners, in one of the directions across that.
   bool FindCorner(std::array<Feature, 4>& corners, std::size_t size) {
@@ -184,8 +162,8 @@ class EpaSearch : protected PieceSearch<Set1, Set2> {
     for (int i = last; i >= first; --i) {
       for (const S sign : {S(1), S(-1)}) {
         const Point normal = sign * axes.col(i);
-        corners[size] = Cut(normal);
-        if (normal.dot(corners[size].point - a) > kFlat * RoundoffBound()) return true;
+        corners[size] = bounds_.CutOutOfLine(normal);
+        if (normal.dot(corners[size].point - a) > kFlat * bounds_.RoundoffBound()) return true;
       }
     }
     return false;
@@ -194,14 +172,14 @@ class EpaSearch : protected PieceSearch<Set1, Set2> {
   /// Newton's step from a plane that is the best since the last one, else the inner approximation's normal.
   Point NextNormal(const Point& inner_normal) {
     if constexpr (Difference::kIsSmooth) {
-      if (is_news_ && best_.has_support) {
-        is_news_ = false;
-        const Tangents tangents = TangentsAt(best_.normal);
+      if (best_.is_new && best_.has_support) {
+        best_.is_new = false;
+        const auto tangents = Bounds::TangentsAt(best_.normal);
         const auto piece =
-            difference_.AlongTangents(best_.support.feature_1, best_.support.feature_2, best_.normal, tangents);
+            bounds_.difference.AlongTangents(best_.support.feature_1, best_.support.feature_2, best_.normal, tangents);
         const NormalStep<S> step = StepFrom<S>(best_.normal, best_.support.point, tangents, piece.derivative);
-        is_stationary_ = step.is_valid && step.gain <= RoundoffBound();
-        if (step.is_valid && !is_stationary_) return step.next;
+        best_.is_stationary = step.is_valid && step.gain <= bounds_.RoundoffBound();
+        if (step.is_valid && !best_.is_stationary) return step.next;
       }
     }
     return inner_normal;
@@ -214,7 +192,7 @@ class EpaSearch : protected PieceSearch<Set1, Set2> {
     const Point target = best_.height * best_.normal;
     const GjkSimplex<S> triangle = polytope.TriangleNearestTo(target);
     if constexpr (Difference::kIsSmooth) {
-      if (!HasMinimum()) minimum_ = this->Descend(this->CornersOf(triangle));
+      if (!HasMinimum()) minimum_ = FindLocalMinimum(bounds_, Corners<S>(triangle));
       if (minimum_ && IsBestElsewhere()) return FinishAt(*minimum_);
     }
     Feature of_inner = triangle.Combination();
@@ -222,13 +200,13 @@ class EpaSearch : protected PieceSearch<Set1, Set2> {
     constexpr int kMaxRounds = 8;
     constexpr S kNarrower = 4;
     // By which a border that curves as a ball of K's size recedes by the gap, and some more.
-    S tilt = std::min(kWidest, 2 * std::sqrt((nearest_ + best_.height) / size_));
+    S tilt = std::min(kWidest, 2 * std::sqrt((bounds_.nearest + best_.height) / bounds_.size));
     for (int round = 0; round < kMaxRounds; ++round) {
       switch (RunEpaNearby(tilt, of_inner)) {
         case Nearby::kClosed:
-          return Finish(IsBestElsewhere() ? Status::kOptimal : Status::kStalled, of_inner);
+          return bounds_.Finish(IsBestElsewhere() ? Status::kOptimal : Status::kStalled, of_inner);
         case Nearby::kExhausted:
-          return Finish(Status::kIterationLimit, of_inner);
+          return bounds_.Finish(Status::kIterationLimit, of_inner);
         case Nearby::kTooNarrow:
           tilt = std::min(kWidest, kNarrower * tilt);
           break;
@@ -236,7 +214,7 @@ class EpaSearch : protected PieceSearch<Set1, Set2> {
           tilt /= kNarrower;
       }
     }
-    return Finish(Status::kStalled, of_inner);
+    return bounds_.Finish(Status::kStalled, of_inner);
   }
 
   enum class Nearby {
@@ -258,25 +236,29 @@ class EpaSearch : protected PieceSearch<Set1, Set2> {
     for (int i = 0; i < 3; ++i) {
       const S turn = 2 * std::numbers::pi_v<S> * S(i) / 3;
       const Point aside = std::cos(turn) * axes.col(0) + std::sin(turn) * axes.col(1);
-      corners[static_cast<std::size_t>(i)] = Cut((middle + tilt * aside).normalized());
+      corners[static_cast<std::size_t>(i)] = bounds_.CutOutOfLine((middle + tilt * aside).normalized());
     }
-    corners[3] = Cut(-middle);
-    EpaPolytope<S> polytope(corners, SupportError(), size_);
+    corners[3] = bounds_.CutOutOfLine(-middle);
+    EpaPolytope<S> polytope(corners, bounds_.SupportError(), bounds_.size);
     for (;;) {
-      if (IsExhausted()) return Nearby::kExhausted;
+      if (bounds_.IsExhausted()) return Nearby::kExhausted;
       const auto face = polytope.NearestAlong(middle, kAside);
       if (polytope.IsSliver(face)) return Nearby::kTooNarrow;
       const Point foot = best_.height * best_.normal;
       of_inner = polytope.NearestTo(foot);
-      if (best_.height - face.distance <= Tolerance()) {
-        const bool is_above = (of_inner.point - foot).squaredNorm() <= Tolerance() * size_;
+      if (best_.height - face.distance <= bounds_.Tolerance()) {
+        const bool is_above = (of_inner.point - foot).squaredNorm() <= bounds_.Tolerance() * bounds_.size;
         return is_above ? Nearby::kClosed : Nearby::kTooNarrow;
       }
-      if (!polytope.Add(Cut(face.normal))) return polytope.IsFull() ? Nearby::kFull : Nearby::kTooNarrow;
+      if (!polytope.Add(bounds_.CutOutOfLine(face.normal)))
+        return polytope.IsFull() ? Nearby::kFull : Nearby::kTooNarrow;
     }
   }
 
-  std::optional<LocalMinimum> minimum_;
+  Bounds& bounds_;
+  typename Bounds::Plane& best_;         // Of the bounds.
+  std::optional<WarmStart<S>> corners_;  // Of the expanding polytope, at its end; of polytopes.
+  std::optional<LocalMinimum<Bounds>> minimum_;
   bool may_descend_ = true;  // No descent was tried, or a better plane has turned up since.
 
   /// A tetrahedron that is thicker than so many units of roundoff has faces whose normals keep some digits.

@@ -9,8 +9,9 @@
 //  * Apart. With the origin outside of K the problem is convex: GJK. The nearest point of a simplex gives the next
 //    direction, whose supporting plane bounds the distance from below.
 //  * Overlap. With the origin inside, an expanding polytope finds the least of many local minima: epa_search.h.
-//  * Frames. While cores stay apart, the last normal is where the next search starts: no growth distance is needed in
-//    between. Polytopes have a search of their own, apart and in overlap (warm_distance.h).
+//  * Frames. The points where the last search ended are named by features, and so are points of K wherever the sets
+//    have moved to: no growth distance is needed in between. Of polytopes most often they hold the answer still, apart
+//    or in overlap, and one evaluation of the support functions proves it. Curved cores must stay apart.
 //  * Curves. The inner approximation of a curved set alone converges linearly. So there are Newton's steps in between,
 //    as long as they gain, on all pieces that the simplex is on (newton_kink_step.h).
 #pragma once
@@ -20,28 +21,36 @@
 #include <optional>
 #include <utility>
 
+#include "dgd/assert.h"
+#include "dgd/distance/distance_bounds.h"
+#include "dgd/distance/epa.h"
 #include "dgd/distance/epa_search.h"
 #include "dgd/distance/gjk_simplex.h"
+#include "dgd/distance/local_minimum.h"
 #include "dgd/distance/newton_kink_step.h"
+#include "dgd/inlining.h"
 #include "dgd/query_types.h"
 #include "dgd/solver/minkowski_difference.h"
 #include "dgd/solver/tolerances.h"
 
 namespace dgd {
 
-template <class Set1, class Set2>
-class SignedDistanceSearch : private distance_internal::EpaSearch<Set1, Set2> {
-  using Overlap = distance_internal::EpaSearch<Set1, Set2>;
-
+/// @tparam DifferenceOfCores  MinkowskiDifference; for Update() of polytopes WorldDifference, too.
+template <class DifferenceOfCores>
+class SignedDistanceSearch {
  public:
-  using Overlap::Iterations;
-  using Overlap::Normal;
-  using Overlap::Overlap;
-  using Overlap::Separation;
-  using typename Overlap::Difference;
-  using typename Overlap::Feature;
-  using typename Overlap::Point;
-  using typename Overlap::S;
+  using Bounds = distance_internal::DistanceBounds<DifferenceOfCores>;
+  using Difference = DifferenceOfCores;
+  using Feature = typename Bounds::Feature;
+  using Point = typename Bounds::Point;
+  using S = typename Bounds::S;
+
+  template <class Set1, class Set2>
+  SignedDistanceSearch(const Set1& set_1, const Pose<S>& pose_1, const Set2& set_2, const Pose<S>& pose_2,
+                       const Settings<S>& settings)
+      : bounds_(set_1, pose_1, set_2, pose_2, settings) {}
+  SignedDistanceSearch(const SignedDistanceSearch&) = delete;
+  SignedDistanceSearch& operator=(const SignedDistanceSearch&) = delete;
 
   /// @param growth      What is known: a normal and the separation along it. Without a status that says so, only a
   ///                    direction.
@@ -50,20 +59,16 @@ class SignedDistanceSearch : private distance_internal::EpaSearch<Set1, Set2> {
     if (!difference_.IsValid()) return Status::kInvalidInput;
     const Point normal = difference_.DirectionFromWorld(growth.normal).normalized();
     if (!normal.allFinite()) return Status::kInvalidInput;
-    if constexpr (Difference::kHasFeatures) {
-      if (warm_start != nullptr) AddBasis(*warm_start, normal);
-    }
+    if (warm_start != nullptr) RecallSimplex(*warm_start, normal);
     if (simplex_.Size() == 0 || !IsCertain(growth.status)) {
-      simplex_.Add(Cut(normal));
+      simplex_.Add(bounds_.CutOutOfLine(normal));
     } else {
       best_.normal = normal;
       best_.height = -growth.separation - difference_.ConvexRadius();
-      is_news_ = true;
-      if constexpr (Difference::kIsSmooth) {
-        if (best_.height > kDeep * size_) {
-          simplex_ = {};
-          simplex_.Add(Cut(Point::UnitZ()));
-        }
+      best_.is_new = true;
+      if (Difference::kIsSmooth && best_.height > kDeep * bounds_.size) {
+        simplex_ = {};
+        simplex_.Add(bounds_.CutOutOfLine(Point::UnitZ()));
       }
     }
     return RunGjk();
@@ -75,88 +80,105 @@ class SignedDistanceSearch : private distance_internal::EpaSearch<Set1, Set2> {
   std::optional<Status> TryFromCenters() {
     if (!difference_.IsValid()) return Status::kInvalidInput;
     if (!Difference::kIsSmooth && !difference_.HasThinCore()) return std::nullopt;
-    simplex_.Add(Cut(Point::UnitZ()));
+    simplex_.Add(bounds_.CutOutOfLine(Point::UnitZ()));
     if (Difference::kIsSmooth && !(best_.height < 0)) return std::nullopt;
     return RunGjk();
   }
 
-  /// For sets whose cores are apart, from where the last search ended, or from the line of the centres. Polytopes have
-  /// a search of their own for this: warm_distance.h.
-  /// @return kOptimal or kSeparated; anything else if they are not apart.
-  Status Solve(const WarmStart<S>& last) requires(!Difference::kIsPolytope) {
-    if (!difference_.IsValid()) return Status::kInvalidInput;
-    is_apart_ = true;
-    const bool is_known = last.normal_1.squaredNorm() > S(0.5);  // Else it is zero.
-    const Point normal = is_known ? difference_.DirectionToFrame(last.normal_1).normalized() : Point(Point::UnitZ());
-    const Feature support = Cut(normal);
-    if (Separation() > settings_.separation_limit) return Status::kSeparated;
-    if constexpr (Difference::kHasFeatures) AddBasis(last, normal);
-    if (simplex_.Size() == 0) simplex_.Add(support);
+  /// From where the last search ended: of polytopes from its points, of curved cores from its normal, or from the line
+  /// of the centres.
+  /// @return kOptimal or kSeparated; anything else if there is no state to begin from, or curved cores are not apart.
+  Status Update(const WarmStart<S>& last) {
+    is_update_ = true;
+    if constexpr (Difference::kIsPolytope) {
+      // A nearest simplex has three points at most.
+      if (last.size > 3) return ResumeEpa(last);
+      RecallSimplex(last, Point::Zero());
+    } else {
+      if (!difference_.IsValid()) return Status::kInvalidInput;
+      const bool is_known = last.normal_1.squaredNorm() > S(0.5);  // Else it is zero.
+      const Point normal = is_known ? difference_.DirectionToFrame(last.normal_1).normalized() : Point(Point::UnitZ());
+      const Feature support = bounds_.CutOutOfLine(normal);
+      if (IsBeyondLimit()) return Status::kSeparated;
+      RecallSimplex(last, normal);
+      if (simplex_.Size() == 0) simplex_.Add(support);
+    }
     return RunGjk();
   }
 
-  /// Leaves the simplex, and the normal, for Solve(last).
-  void Remember(Status status, WarmStart<S>& warm_start) const {
-    if (corners_) {
-      warm_start = *corners_;
-    } else {
-      simplex_.Leave(warm_start);
-    }
-    warm_start.normal_1 = difference_.NormalOfSet1(best_.normal);
-    if (status == Status::kSeparated) warm_start.size = 0;
+  /// Leaves the points, and the normal, for Update().
+  void Remember(Status status, WarmStart<S>& state) const {
+    if (!epa_.Leave(state)) simplex_.Leave(state);
+    state.normal_1 = difference_.NormalOfSet1(best_.normal);
+    if (status == Status::kSeparated) state.size = 0;
   }
 
-  S UpperBound() const { return std::max(nearest_ + SupportError(), -best_.height) - difference_.ConvexRadius(); }
-  Point Witness1() const { return difference_.World1(foot_.on_1, best_.normal); }
-  Point Witness2() const { return difference_.World2(foot_.on_1 - foot_.point - origin_, best_.normal); }
+  const Bounds& Found() const { return bounds_; }
 
  private:
-  using Overlap::best_;
-  using Overlap::corners_;
-  using Overlap::Cut;
-  using Overlap::difference_;
-  using Overlap::Finish;
-  using Overlap::foot_;
-  using Overlap::is_news_;
-  using Overlap::IsExhausted;
-  using Overlap::IsOptimal;
-  using Overlap::nearest_;
-  using Overlap::origin_;
-  using Overlap::RoundoffBound;
-  using Overlap::settings_;
-  using Overlap::size_;
-  using Overlap::SupportError;
-  using Overlap::TangentsAt;
-  using Overlap::ToDistanceOrigin;
-  using Overlap::Tolerance;
-  using typename Overlap::Corners;
-  using typename Overlap::Pieces;
-  using typename Overlap::Tangents;
+  using Corners = distance_internal::Corners<S>;
+  using Tangents = typename Bounds::Tangents;
 
   static bool IsCertain(Status status) {
     return status == Status::kOptimal || status == Status::kStalled || status == Status::kIterationLimit;
   }
 
-  /// The points that the growth distance ended at; of curved cores those of the same pieces along its normal.
-  void AddBasis(const WarmStart<S>& warm_start, const Point& normal) requires(Difference::kHasFeatures) {
-    std::array<Feature, 3> basis;
-    std::size_t size = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(warm_start.size) && size < basis.size(); ++i) {
-      const FeatureId feature_1 = warm_start.features_1[i], feature_2 = warm_start.features_2[i];
+  /// Calls take(point) for the points of K that a state names by features; of curved cores, for those of the same
+  /// pieces along a normal.
+  template <class Take>
+  void ForEachPoint(const WarmStart<S>& state, const Point& normal, const Take& take) {
+    DGD_ASSERT(static_cast<std::size_t>(state.size) <= state.features_1.size());
+    for (std::size_t i = 0; i < static_cast<std::size_t>(state.size); ++i) {
+      const FeatureId feature_1 = state.features_1[i], feature_2 = state.features_2[i];
+      // Sets may have changed since.
       if (!difference_.HasFeatures(feature_1, feature_2)) continue;
       if constexpr (Difference::kIsPolytope) {
-        basis[size++] = ToDistanceOrigin(difference_.FromVertices(feature_1, feature_2));
+        take(bounds_.ToDistanceOrigin(difference_.FromVertices(feature_1, feature_2)));
       } else {
-        const auto piece = difference_.AlongTangents(feature_1, feature_2, normal, TangentsAt(normal));
-        basis[size++] = ToDistanceOrigin(piece.support);
+        const auto piece = difference_.AlongTangents(feature_1, feature_2, normal, Bounds::TangentsAt(normal));
+        take(bounds_.ToDistanceOrigin(piece.support));
       }
     }
-    simplex_ = {basis, size};
+  }
+
+  void RecallSimplex(const WarmStart<S>& state, const Point& normal) {
+    if constexpr (Difference::kHasFeatures) {
+      ForEachPoint(state, normal, [this](const Feature& point) {
+        if (simplex_.Size() < 3) simplex_.Append(point);
+      });
+      simplex_.Reduce();
+    }
+  }
+
+  /// From the points of the last expanding polytope; if the first four do not hold the origin any more, the cores may
+  /// be apart.
+  DGD_NOINLINE Status ResumeEpa(const WarmStart<S>& last) requires(Difference::kIsPolytope) {
+    std::array<Feature, WarmStart<S>::kMostFeatures> points;
+    std::size_t count = 0;
+    ForEachPoint(last, Point::Zero(), [&](const Feature& point) { points[count++] = point; });
+    if (count < 4) return StalledOrInvalid();
+    EpaPolytope<S> polytope({points[0], points[1], points[2], points[3]}, bounds_.SupportError(), bounds_.size);
+    if (!(polytope.Inradius() > bounds_.RoundoffBound())) {
+      simplex_ = GjkSimplex<S>(polytope.CornersOf(polytope.Nearest()), 3);
+      return RunGjk();
+    }
+    for (std::size_t i = 4; i < count; ++i) polytope.Add(points[i]);
+    return epa_.RunEpa(polytope);
   }
 
   /// With the cores apart. The witness points are off by the root of the gap, so the gap has to be smaller than the
   /// tolerance.
-  bool HasGoodPoints() const { return nearest_ + best_.height <= std::max(RoundoffBound(), kForPoints * Tolerance()); }
+  bool HasGoodPoints() const {
+    if constexpr (Difference::kIsPolytope) return bounds_.IsOptimal();
+    return bounds_.nearest + best_.height <= std::max(bounds_.RoundoffBound(), kForPoints * bounds_.Tolerance());
+  }
+  /// Whether the cores are apart, as far as is known and in numbers that the scalar can compute with; false for NaN.
+  bool IsApart() const {
+    return bounds_.nearest > bounds_.RoundoffBound() && bounds_.nearest >= kLeastSize<S> &&
+           bounds_.size <= kGreatestSize<S>;
+  }
+  Status StalledOrInvalid() const { return difference_.IsValid() ? Status::kStalled : Status::kInvalidInput; }
+  bool IsBeyondLimit() const { return bounds_.Separation() > bounds_.settings.separation_limit; }
 
   /// Newton's step on all pieces that the simplex is on, from the last plane if that is the best and separates the
   /// cores; else the simplex's normal. A step from the latter would start worse: where cores are near each other, its
@@ -165,10 +187,10 @@ class SignedDistanceSearch : private distance_internal::EpaSearch<Set1, Set2> {
     const Point own = simplex_.Normal();
     if constexpr (Difference::kIsSmooth) {
       // Where the cores may overlap, steps would only concentrate the points where an expanding polytope needs few.
-      if (best_.height > 0 || !std::exchange(is_news_, false)) return own;
+      if (best_.height > 0 || !std::exchange(best_.is_new, false)) return own;
       const Point from = best_.normal;
-      const Tangents tangents = TangentsAt(from);
-      const Pieces pieces = PiecesOfSimplex(from, tangents);
+      const Tangents tangents = Bounds::TangentsAt(from);
+      const auto pieces = PiecesOfSimplex(from, tangents);
       const NormalStep<S> step = StepOnKink(KinkModel<S>(from, tangents, pieces.models));
       if (!step.is_valid) return own;
       // Of a single piece, the next support point will do.
@@ -179,9 +201,10 @@ class SignedDistanceSearch : private distance_internal::EpaSearch<Set1, Set2> {
   }
 
   /// The pieces that the simplex's points are on, about a normal, with the points' weights.
-  Pieces PiecesOfSimplex(const Point& normal, const Tangents& tangents) requires(Difference::kIsSmooth) {
-    const Corners corners = this->CornersOf(simplex_);
-    Pieces pieces = this->PiecesOf(corners, normal, tangents);
+  distance_internal::Pieces<S> PiecesOfSimplex(const Point& normal,
+                                               const Tangents& tangents) requires(Difference::kIsSmooth) {
+    const Corners corners(simplex_);
+    auto pieces = distance_internal::PiecesOf(bounds_, corners, normal, tangents);
     for (std::size_t i = 0; i < corners.size; ++i) {
       pieces.models[pieces.support.IndexOf(corners.points[i])].weight += simplex_.Weight(i);
     }
@@ -194,34 +217,36 @@ class SignedDistanceSearch : private distance_internal::EpaSearch<Set1, Set2> {
     std::array<Feature, 3> moved;
     for (std::size_t i = 0; i < corners.size; ++i) {
       const Feature& from = corners.points[i];
-      moved[i] = ToDistanceOrigin(difference_.AlongTangents(from.feature_1, from.feature_2, normal, tangents).support);
+      moved[i] =
+          bounds_.ToDistanceOrigin(difference_.AlongTangents(from.feature_1, from.feature_2, normal, tangents).support);
     }
     const GjkSimplex<S> simplex(moved, corners.size);
     if (simplex.Nearest().squaredNorm() < simplex_.Nearest().squaredNorm()) simplex_ = simplex;
-    nearest_ = simplex_.Nearest().norm();
+    bounds_.nearest = simplex_.Nearest().norm();
   }
 
   /// With the origin outside of K, or so it seems.
   Status RunGjk() {
     for (;;) {
-      nearest_ = simplex_.Nearest().norm();
-      if (nearest_ <= RoundoffBound()) return is_apart_ ? Status::kStalled : this->HandleBoundaryOrigin(simplex_);
-      if (HasGoodPoints()) return Finish(Status::kOptimal, simplex_.Combination());
-      if (IsExhausted()) return Finish(Status::kIterationLimit, simplex_.Combination());
+      bounds_.nearest = simplex_.Nearest().norm();
+      if (is_update_ && !IsApart()) return StalledOrInvalid();
+      if (bounds_.nearest <= bounds_.RoundoffBound()) return epa_.HandleBoundaryOrigin(simplex_);
+      if (HasGoodPoints()) return bounds_.Finish(Status::kOptimal, simplex_.Combination());
+      if (bounds_.IsExhausted()) return bounds_.Finish(Status::kIterationLimit, simplex_.Combination());
       const Point normal = NextNormalApart();
-      const Feature support = Cut(normal);
-      if (HasGoodPoints()) return Finish(Status::kOptimal, simplex_.Combination());
-      if (is_apart_ && Separation() > settings_.separation_limit) return Status::kSeparated;
+      const Feature support = bounds_.Cut(normal);
+      if (HasGoodPoints()) return bounds_.Finish(Status::kOptimal, simplex_.Combination());
+      if (is_update_ && IsBeyondLimit()) return Status::kSeparated;
       if (simplex_.HoldsOriginWith(support.point)) {
-        if (is_apart_) return Status::kStalled;
-        return this->RunEpa({simplex_[0], simplex_[1], simplex_[2], support});
+        if (is_update_ && !Difference::kIsPolytope) return Status::kStalled;
+        return epa_.RunFrom({simplex_[0], simplex_[1], simplex_[2], support});
       }
       GjkSimplex<S> grown = simplex_;
       grown.Add(support);
       if (descent_.Continues(simplex_.Nearest().squaredNorm(), grown.Nearest().squaredNorm())) {
         simplex_ = grown;
       } else if (normal == simplex_.Normal()) {
-        return Finish(Status::kStalled, simplex_.Combination());
+        return bounds_.Finish(Status::kStalled, simplex_.Combination());
       }
     }
   }
@@ -233,9 +258,13 @@ class SignedDistanceSearch : private distance_internal::EpaSearch<Set1, Set2> {
   /// Part of the tolerance that the gap has to be below: two digits of the points.
   static constexpr S kForPoints = S(1e-4);
 
+  Bounds bounds_;
+  const Difference& difference_ = bounds_.difference;
+  typename Bounds::Plane& best_ = bounds_.best;
+  distance_internal::EpaSearch<Difference> epa_{bounds_};
   GjkSimplex<S> simplex_;
   Descent<S> descent_;
-  bool is_apart_ = false;  // By Solve(last): ends where the origin turns out to be inside of K.
+  bool is_update_ = false;  // Ends where the origin is on the border of K, or inside that of curved cores.
 };
 
 }  // namespace dgd

@@ -114,9 +114,7 @@ class MinkowskiDifference {
   static constexpr bool kHasFaces =
       kIsSmooth && L == 3 && (FacedCore<typename Set1::Core> || FacedCore<typename Set2::Core>);
 
-  /// @param keep_radius_apart  Else the radii go into the support points; as in the paper.
-  MinkowskiDifference(const Set1& set_1, const Pose<S, L>& pose_1, const Set2& set_2, const Pose<S, L>& pose_2,
-                      bool keep_radius_apart = true)
+  MinkowskiDifference(const Set1& set_1, const Pose<S, L>& pose_1, const Set2& set_2, const Pose<S, L>& pose_2)
       : set_1_(set_1), set_2_(set_2), core_center_1_(set_1.core.Center()), core_center_2_(set_2.core.Center()) {
     const Point offset_1 = pose_1.rotation * core_center_1_, offset_2 = pose_2.rotation * core_center_2_;
     // cppcheck-suppress useInitializationList
@@ -135,13 +133,17 @@ class MinkowskiDifference {
     frame_ = length_ > kCoincidence<S> * inradius_ ? FrameAlong<S>(Point(p / length_)) : Matrix::Identity();
     to_frame_1_.noalias() = frame_.transpose() * pose_1.rotation;
     to_frame_2_.noalias() = frame_.transpose() * pose_2.rotation;
-    convex_radius_ = keep_radius_apart && radius > kMinConvexRadius<S> * core_inradius ? radius : 0;
+    convex_radius_ = radius > kMinConvexRadius<S> * core_inradius ? radius : 0;
     inflation_1_ = convex_radius_ > 0 ? 0 : set_1.radius;
     inflation_2_ = convex_radius_ > 0 ? 0 : set_2.radius;
   }
 
   /// |p|, metres: the length at which the ray reaches growth distance 1.
   S CenterDistance() const { return length_; }
+  /// From the centres' difference to that of the sets' points that coincide in space, metres.
+  Point DistanceOrigin() const { return length_ * Point::Unit(L - 1); }
+  /// Largest coordinate of a point, metres.
+  static S Reach(const Feature& feature) { return feature.point.cwiseAbs().maxCoeff(); }
   /// Whether there is an interior, and the ray has a direction: the centres do not coincide.
   bool HasRay() const { return inradius_ > 0 && length_ > kCoincidence<S> * inradius_; }
   /// Radius of a ball about the origin inside C, metres (eq. inradius). 0 if C has no interior.
