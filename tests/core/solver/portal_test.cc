@@ -25,7 +25,7 @@ dgd::solver_internal::Portal<S> TriangleAbout(Random& random, double fatness, do
   dgd::solver_internal::Portal<S> triangle(ray.cast<S>(), S(radius));
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector3d point = turn * (corners[i] - middle + Vector3d(0.1, 0.05, 0.5 - radius));
-    triangle.corners_[i] = {point.cast<S>(), dgd::FeatureId(i), 0};
+    triangle.corners[i] = {point.cast<S>(), dgd::FeatureId(i), 0};
   }
   return triangle;
 }
@@ -40,12 +40,12 @@ void CheckThinTriangles() {
         triangle.FindPlane();
         ASSERT_TRUE(triangle.IsWellConditioned());
         ASSERT_LT(triangle.FindExitEdge(), 0);
-        Vector3d point = radius * triangle.normal_.template cast<double>().normalized();
+        Vector3d point = radius * triangle.normal.template cast<double>().normalized();
         for (std::size_t c = 0; c < 3; ++c) {
-          point += double(triangle.weights_[c]) * triangle.corners_[c].point.template cast<double>();
+          point += double(triangle.weights[c]) * triangle.corners[c].point.template cast<double>();
         }
-        const double part = double(triangle.exit_height_) / double(triangle.along_);
-        EXPECT_LT((point - part * triangle.ray_.template cast<double>()).norm(), 3 * double(dgd::kEpsilon<S>))
+        const double part = double(triangle.exit_height) / double(triangle.along);
+        EXPECT_LT((point - part * triangle.ray.template cast<double>()).norm(), 3 * double(dgd::kEpsilon<S>))
             << "fatness " << fatness << ", radius " << radius;
       }
     }

@@ -16,45 +16,40 @@
 
 namespace dgd::solver_internal {
 
+/// A portal's first three corners. Reads and writes the portal and the support functions that it is given.
 template <class Set1, class Set2>
-class PortalDiscovery : public PortalSupport<Set1, Set2> {
+class PortalDiscovery {
  public:
   using Support = PortalSupport<Set1, Set2>;
-  using Support::Support;
-  using typename Support::Point;
-  using typename Support::S;
+  using Corner = typename Support::Corner;
+  using Point = typename Support::Point;
+  using S = typename Support::S;
+
+  PortalDiscovery(Portal<S>& portal, Support& support) : portal_(portal), support_(support) {}
 
   /// Gives a cold start its first corner, which is the one along the ray.
-  /// @param support_1, support_2  Of the cores along the ray; their frames.
-  void StartFrom(const SupportPoint<S>& support_1, const SupportPoint<S>& support_2) {
-    first_ = CornerOf(support_1, support_2);
-  }
+  void StartFrom(const Corner& first) { first_ = first; }
+  /// A common point is enough: no next query is to begin from corners, of which it would leave none.
+  void NeedNoCorners() { wants_corners_ = false; }
 
- protected:
-  using Support::CornerAlong;
-  using Support::CornerOf;
-  using Support::corners_;
-  using Support::FromCenter1;
-  using Support::GuessAlong;
-  using Support::HasInterior;
-  using Support::hint_1_;
-  using Support::hint_2_;
-  using Support::iterations_;
-  using Support::normal_;
-  using Support::NormalOfCorners;
-  using Support::pose_1_;
-  using Support::radius_;
-  using Support::ray_;
-  using Support::set_1_;
-  using Support::set_2_;
-  using typename Support::Corner;
-
+  /// The corner along the ray.
+  /// @param may_guess  Whether it may be one that is looked up.
   Corner FirstCorner(const Point& axis, bool may_guess) {
-    if (!first_) return may_guess ? GuessAlong(axis) : CornerAlong(axis);
-    ++iterations_;
+    if (!first_) return may_guess ? support_.GuessAlong(axis) : support_.CornerAlong(axis);
+    ++support_.iterations;
     return *first_;
   }
 
+  /// Whether three corners were found; in a check, or a common point.
+  template <bool kIsCheck>
+  bool Discover(const Point& axis, const Corner& first) {
+    return support_.HasFastColdStart() ? StartByGuesses<kIsCheck>(axis, first)
+                                       : DiscoverPortal<false, kIsCheck>(axis, first);
+  }
+  /// A common point of the two sets, from set 1's origin, if one was found; world.
+  const std::optional<Point>& CommonPoint() const { return common_; }
+
+ private:
   /// A refinement of large hulls without a support function, as far as looked-up points go. Queries of hulls of 241 to
   /// 4516 vertices take 0.6 of the time that they take with support points from the first direction on.
   /// @tparam kIsCheck  Whether a triangle beyond the ray's end is enough.
@@ -68,16 +63,16 @@ class PortalDiscovery : public PortalSupport<Set1, Set2> {
     if (!DiscoverPortal<true, kIsCheck>(axis, first)) return false;
     if (kIsCheck && common_) return true;
     for (int i = 0; i < kMost; ++i) {
-      normal_ = NormalOfCorners();
-      const S height = radius_ > 0 ? this->template Height<true>() : this->template Height<false>();
+      portal_.normal = portal_.NormalOfCorners();
+      const S height = portal_.radius > 0 ? portal_.template Height<true>() : portal_.template Height<false>();
       if (!(height > 0)) return false;
-      if (kIsCheck && EndsBelow(normal_.dot(ray_), height)) return true;
-      const Corner guess = GuessAlong(normal_);
-      hint_1_ = guess.feature_1;
-      hint_2_ = guess.feature_2;
-      if (!(normal_.dot(guess.point - corners_[0].point) > kWorthwhile * height)) return true;
-      if (!(radius_ > 0 ? this->template RefinePortal<true>(guess) : this->template RefinePortal<false>(guess)))
-        return false;
+      if (kIsCheck && portal_.EndsBelow(portal_.normal.dot(portal_.ray), height)) return true;
+      const Corner guess = support_.GuessAlong(portal_.normal);
+      support_.SearchNear(guess);
+      if (!(portal_.normal.dot(guess.point - portal_.corners[0].point) > kWorthwhile * height)) return true;
+      const bool is_refined =
+          portal_.radius > 0 ? portal_.template RefinePortal<true>(guess) : portal_.template RefinePortal<false>(guess);
+      if (!is_refined) return false;
     }
     return true;
   }
@@ -98,24 +93,24 @@ class PortalDiscovery : public PortalSupport<Set1, Set2> {
     // touch take 4 % less by that, and of hulls 1 m across that are 5 to 15 cm deep as long.
     constexpr S kWellInside = S(1.2);
     const auto along = [this](const Point& direction) {
-      return kGuess ? GuessAlong(direction) : CornerAlong(direction);
+      return kGuess ? support_.GuessAlong(direction) : support_.CornerAlong(direction);
     };
     const S height = axis.dot(first.point);
     const Point lateral = first.point - height * axis;
     // Of skewed sets, what is farthest along the ray is far from it, and so is what is found like that.
-    if (lateral.squaredNorm() > kNearSq * height * height) return this->template RefinePortal<false>(first);
+    if (lateral.squaredNorm() > kNearSq * height * height) return portal_.template RefinePortal<false>(first);
     const Corner second = along(height * axis - kSpread * lateral);
-    if (kIsCheck && !wants_corners_ && height * height > kWellInside * kWellInside * ray_.squaredNorm() &&
+    if (kIsCheck && !wants_corners_ && height * height > kWellInside * kWellInside * portal_.ray.squaredNorm() &&
         FindCommonPoint(axis, first, second)) {
       return true;
     }
     const Point across = axis.cross(second.point - first.point);
     const S width_sq = across.squaredNorm(), side = across.dot(first.point);
-    if (!this->template RefinePortal<false>(first) || !this->template RefinePortal<false>(second)) return false;
+    if (!portal_.template RefinePortal<false>(first) || !portal_.template RefinePortal<false>(second)) return false;
     if (!(width_sq > kEpsilon<S> * height * height)) return true;
     // Half the line's length at least, where that nearly meets the ray.
     const S tilt = kSpread * std::max(std::abs(side) / width_sq, S(0.5));
-    return this->template RefinePortal<false>(along(height * axis - std::copysign(tilt, side) * across));
+    return portal_.template RefinePortal<false>(along(height * axis - std::copysign(tilt, side) * across));
   }
 
   /// Finds a common point in the hull of the ball about the centre and of the point between two corners that is nearest
@@ -126,22 +121,20 @@ class PortalDiscovery : public PortalSupport<Set1, Set2> {
     const Point lateral = a.point - height * axis, step = between - axis.dot(between) * axis;
     const S step_sq = step.squaredNorm();
     const S part = step_sq > 0 ? std::clamp(-lateral.dot(step) / step_sq, S(0), S(1)) : S(0);
-    const S inradius_1 = set_1_.core.Inradius() + set_1_.radius, inradius_2 = set_2_.core.Inradius() + set_2_.radius;
-    const S inradius = inradius_1 + inradius_2;
-    const auto end = FindInBallHull<S, 3>(ray_, a.point + part * between, inradius);
-    if (!end || !HasInterior(a)) return false;
-    const Point of_corners = (1 - part) * FromCenter1(a.feature_1) + part * FromCenter1(b.feature_1);
-    common_ = pose_1_.rotation * set_1_.core.Center() + end->share * of_corners + inradius_1 / inradius * end->inside;
+    const S inradius_1 = support_.Inradius1(), inradius = inradius_1 + support_.Inradius2();
+    const auto end = FindInBallHull<S, 3>(portal_.ray, a.point + part * between, inradius);
+    if (!end || !support_.HasInterior(a)) return false;
+    const Point of_corners = (1 - part) * support_.FromCenter1(a.feature_1) + part * support_.FromCenter1(b.feature_1);
+    common_ = support_.pose_1.rotation * support_.set_1.core.Center() + end->share * of_corners +
+              inradius_1 / inradius * end->inside;
     return true;
   }
 
-  /// Whether the ray ends below the corners, moved by the radius, and between them. With a radius they may be turned
-  /// away from the ray, and their plane, moved, is no bound then.
-  bool EndsBelow(S along, S height) { return along > 0 && along <= height && this->LeavesByFacet(); }
-
-  std::optional<Corner> first_;  // The farthest along the ray, if known.
-  std::optional<Point> common_;  // A common point of the two sets, from set 1's origin; world.
-  bool wants_corners_ = true;    // Whether a next query is to begin from corners: a common point would leave none.
+  Portal<S>& portal_;
+  Support& support_;
+  std::optional<Corner> first_;  // Farthest corner along the ray, if it is known.
+  std::optional<Point> common_;
+  bool wants_corners_ = true;
 };
 
 }  // namespace dgd::solver_internal

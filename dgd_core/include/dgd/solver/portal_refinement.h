@@ -36,16 +36,25 @@
 namespace dgd {
 
 template <class Set1, class Set2>
-class PortalRefinement : private solver_internal::PortalDiscovery<Set1, Set2> {
-  using Discovery = solver_internal::PortalDiscovery<Set1, Set2>;
-
+class PortalRefinement {
  public:
-  using Discovery::Discovery;
-  using Discovery::HasFastColdStart;
-  using Discovery::Iterations;
-  using Discovery::StartFrom;
-  using typename Discovery::Point;
-  using typename Discovery::S;
+  using Support = solver_internal::PortalSupport<Set1, Set2>;
+  using Corner = typename Support::Corner;
+  using Point = typename Support::Point;
+  using S = typename Support::S;
+
+  PortalRefinement(const Set1& set_1, const Pose<S>& pose_1, const Set2& set_2, const Pose<S>& pose_2)
+      : support_(set_1, pose_1, set_2, pose_2) {}
+  PortalRefinement(const PortalRefinement&) = delete;
+  PortalRefinement& operator=(const PortalRefinement&) = delete;
+
+  /// Gives a cold start its first corner.
+  /// @param support_1, support_2  Of the cores along the ray; their frames.
+  void StartFrom(const SupportPoint<S>& support_1, const SupportPoint<S>& support_2) {
+    discovery_.StartFrom(support_.CornerOf(support_1, support_2));
+  }
+  bool HasFastColdStart() const { return support_.HasFastColdStart(); }
+  int Iterations() const { return support_.iterations; }
 
   /// Most evaluations of the support functions, and steps to neighbouring facets. Warm, by measurement:
   /// with half as many, warm queries of hulls of 241 to 4516 vertices take 1.1 times as long on average, in the slowest
@@ -72,7 +81,7 @@ class PortalRefinement : private solver_internal::PortalDiscovery<Set1, Set2> {
     return RunWarm(settings, EarlyOut::kDecided, state, result);
   }
   bool SolveCold(const Settings<S>& settings, WarmStart<S>* state, CollisionResult<S>& result) {
-    wants_corners_ = state != nullptr;
+    if (state == nullptr) discovery_.NeedNoCorners();
     return Report(RunCold<EarlyOut::kDecided>(settings), settings, state, result);
   }
 
@@ -80,44 +89,7 @@ class PortalRefinement : private solver_internal::PortalDiscovery<Set1, Set2> {
   bool EndedAtThinFacet() const { return ended_at_thin_facet_; }
 
  private:
-  using Discovery::along_;
-  using Discovery::common_;
-  using Discovery::CornerAlong;
-  using Discovery::corners_;
-  using Discovery::CrossEdge;
-  using Discovery::EndsBelow;
-  using Discovery::exit_height_;
-  using Discovery::FindExitEdge;
-  using Discovery::FindPlane;
-  using Discovery::FirstCorner;
-  using Discovery::HasInterior;
-  using Discovery::HasVertices;
-  using Discovery::height_;
-  using Discovery::InitialPortal;
-  using Discovery::is_weighed_;
-  using Discovery::IsWellConditioned;
-  using Discovery::iterations_;
-  using Discovery::kFlat;
-  using Discovery::LeavesByFacet;
-  using Discovery::length_;
-  using Discovery::length_sq_;
-  using Discovery::normal_;
-  using Discovery::NormalOfCorners;
-  using Discovery::OnSet1;
-  using Discovery::OnSet2;
-  using Discovery::PlaceVertices;
-  using Discovery::pose_1_;
-  using Discovery::pose_2_;
-  using Discovery::radius_;
-  using Discovery::ray_;
-  using Discovery::RememberCorners;
-  using Discovery::Replace;
-  using Discovery::set_1_;
-  using Discovery::set_2_;
-  using Discovery::TakeCorners;
-  using Discovery::wants_corners_;
-  using Discovery::weights_;
-  using typename Discovery::Corner;
+  using Portal = solver_internal::Portal<S>;
 
   /// What ends a refinement before the ray leaves the difference.
   enum class EarlyOut {
@@ -143,78 +115,77 @@ class PortalRefinement : private solver_internal::PortalDiscovery<Set1, Set2> {
 
   template <class AnyResult>
   bool RunWarm(const Settings<S>& settings, EarlyOut early, WarmStart<S>& state, AnyResult& result) {
-    const S inradius = set_1_.core.Inradius() + set_2_.core.Inradius() + radius_;
-    if (!IsInRange(ray_.norm(), inradius) || !TakeCorners(state)) return false;
+    const S inradius = support_.CoreInradius() + portal_.radius;
+    if (!IsInRange(portal_.ray.norm(), inradius) || !support_.TakeCorners(state, portal_)) return false;
     const Termination end = early == EarlyOut::kNever   ? RunFromPortal<EarlyOut::kNever>(settings)
                             : early == EarlyOut::kApart ? RunFromPortal<EarlyOut::kApart>(settings)
                                                         : RunFromPortal<EarlyOut::kDecided>(settings);
     if (Report(end, settings, &state, result)) return true;
-    RememberCorners(state);
+    portal_.Leave(state);
     return false;
   }
 
   template <EarlyOut kEarlyOut>
   Termination RunCold(const Settings<S>& settings) {
-    const S inradius = set_1_.core.Inradius() + set_2_.core.Inradius(), length = ray_.norm();
-    if (!(radius_ >= 0) || !IsInRange(length, inradius)) return Termination::kNone;
-    const Point axis = ray_ / length;
-    const bool is_quick = HasFastColdStart();
+    const S inradius = support_.CoreInradius(), length = portal_.ray.norm();
+    if (!(portal_.radius >= 0) || !IsInRange(length, inradius)) return Termination::kNone;
+    const Point axis = portal_.ray / length;
     // Most sets that are separated by more than the limit are known to be after one direction.
-    if (kEarlyOut == EarlyOut::kNever) PlaceVertices();
-    const Corner first = FirstCorner(axis, is_quick && kEarlyOut != EarlyOut::kApart);
+    if (kEarlyOut == EarlyOut::kNever) support_.PlaceVertices();
+    const Corner first = discovery_.FirstCorner(axis, support_.HasFastColdStart() && kEarlyOut != EarlyOut::kApart);
     if (kEarlyOut == EarlyOut::kApart) {
-      const S apart = length - axis.dot(first.point) - radius_;
-      normal_ = axis;
+      const S apart = length - axis.dot(first.point) - portal_.radius;
+      portal_.normal = axis;
       if (apart > settings.separation_limit) return TerminateApart(first, apart);
     }
-    if (kEarlyOut != EarlyOut::kNever) PlaceVertices();
-    InitialPortal(inradius, axis);
+    if (kEarlyOut != EarlyOut::kNever) support_.PlaceVertices();
+    portal_.InitialPortal(inradius, axis);
     constexpr bool kIsCheck = kEarlyOut == EarlyOut::kDecided;
-    const bool has_begun = is_quick ? this->template StartByGuesses<kIsCheck>(axis, first)
-                                    : this->template DiscoverPortal<false, kIsCheck>(axis, first);
-    if (kIsCheck && common_) return Termination::kCommon;
+    const bool has_begun = discovery_.template Discover<kIsCheck>(axis, first);
+    if (kIsCheck && discovery_.CommonPoint()) return Termination::kCommon;
     if (!has_begun) return Termination::kNone;
-    normal_ = NormalOfCorners();
+    portal_.normal = portal_.NormalOfCorners();
     return RefineToSurface<kEarlyOut>(settings, kMaxColdSteps);
   }
 
   /// From corners that the ray may pass outside of.
   template <EarlyOut kEarlyOut>
   Termination RunFromPortal(const Settings<S>& settings) {
-    FindPlane();
-    ended_at_thin_facet_ = !IsWellConditioned();
+    portal_.FindPlane();
+    ended_at_thin_facet_ = !portal_.IsWellConditioned();
     if (ended_at_thin_facet_) return Termination::kNone;
-    const int exit_edge = FindExitEdge();
-    is_weighed_ = exit_edge < 0;
-    if (!is_weighed_ && radius_ > 0) {
+    const int exit_edge = portal_.FindExitEdge();
+    portal_.is_weighed = exit_edge < 0;
+    if (!portal_.is_weighed && portal_.radius > 0) {
       // Mostly by the edge itself.
       if (const std::optional<Termination> end = LeaveByEdge<kEarlyOut>(settings)) return *end;
-      normal_ = NormalOfCorners();
-    } else if (!is_weighed_ && !WalkToRay(exit_edge)) {
+      portal_.normal = portal_.NormalOfCorners();
+    } else if (!portal_.is_weighed && !WalkToRay(exit_edge)) {
       return Termination::kNone;
     }
     return RefineToSurface<kEarlyOut>(settings, kMaxWarmSteps);
   }
 
   /// From a triangle that the ray passes outside of to one that it passes through.
-  /// @param exit_edge  FindExitEdge().
+  /// @param exit_edge  Result of FindExitEdge().
   bool WalkToRay(int exit_edge) {
     for (;;) {
-      if (iterations_ >= kMaxWarmSteps || !CrossEdge(static_cast<std::size_t>(exit_edge))) return false;
-      FindPlane();
+      if (support_.iterations >= kMaxWarmSteps || !support_.CrossEdge(portal_, static_cast<std::size_t>(exit_edge)))
+        return false;
+      portal_.FindPlane();
       // Between here and there facets may be thin.
-      if (!(height_ > 0 && along_ > 0)) return false;
-      exit_edge = FindExitEdge();
+      if (!(portal_.height > 0 && portal_.along > 0)) return false;
+      exit_edge = portal_.FindExitEdge();
       if (exit_edge >= 0) continue;
-      is_weighed_ = IsWellConditioned();
+      portal_.is_weighed = portal_.IsWellConditioned();
       return true;
     }
   }
 
   template <EarlyOut kEarlyOut>
   Termination RefineToSurface(const Settings<S>& settings, int most_iterations) {
-    return radius_ > 0 ? RefineWithRadius<kEarlyOut>(settings, most_iterations)
-                       : Refine<kEarlyOut, false>(settings, most_iterations);
+    return portal_.radius > 0 ? RefineWithRadius<kEarlyOut>(settings, most_iterations)
+                              : Refine<kEarlyOut, false>(settings, most_iterations);
   }
 
   /// Not inlined: with its registers, a refinement without a radius takes a tenth longer.
@@ -227,112 +198,114 @@ class PortalRefinement : private solver_internal::PortalDiscovery<Set1, Set2> {
   template <EarlyOut kEarlyOut, bool kHasRadius>
   Termination Refine(const Settings<S>& settings, int most_iterations) {
     for (;;) {
-      const S height = this->template Height<kHasRadius>();
+      const S height = portal_.template Height<kHasRadius>();
       if (!(height > 0)) return Termination::kNone;  // The same corner twice: there is no normal.
       [[maybe_unused]] S along = 0;
       if constexpr (kEarlyOut != EarlyOut::kNever) {
-        along = normal_.dot(ray_);
-        if (kEarlyOut == EarlyOut::kDecided && EndsBelow(along, height)) return Termination::kCommon;
+        along = portal_.normal.dot(portal_.ray);
+        if (kEarlyOut == EarlyOut::kDecided && portal_.EndsBelow(along, height)) return Termination::kCommon;
       }
-      const Corner farthest = CornerAlong(normal_);
-      rise_ = normal_.dot(farthest.point - corners_[0].point);
+      const Corner farthest = support_.CornerAlong(portal_.normal);
+      rise_ = portal_.normal.dot(farthest.point - portal_.corners[0].point);
       if (kEarlyOut != EarlyOut::kNever && IsApart<kEarlyOut>(along - height - rise_, settings)) {
         return TerminateApart(farthest, along - height - rise_);
       }
       if (rise_ <= settings.relative_tolerance * height) {
-        if (!kHasRadius || LeavesByFacet()) return Termination::kExit;
-        if (iterations_ >= most_iterations) return Termination::kNone;
+        if (!kHasRadius || portal_.LeavesByFacet()) return Termination::kExit;
+        if (support_.iterations >= most_iterations) return Termination::kNone;
         if (const std::optional<Termination> end = LeaveByEdge<kEarlyOut>(settings)) return *end;
-      } else if (iterations_ >= most_iterations || !this->template RefinePortal<kHasRadius>(farthest)) {
+      } else if (support_.iterations >= most_iterations || !portal_.template RefinePortal<kHasRadius>(farthest)) {
         return Termination::kNone;
       }
-      normal_ = NormalOfCorners();
+      portal_.normal = portal_.NormalOfCorners();
     }
   }
 
   /// @param apart  Of the supporting planes along the normal, times its length.
   template <EarlyOut kEarlyOut>
   bool IsApart(S apart, const Settings<S>& settings) const {
-    return apart > 0 && (kEarlyOut == EarlyOut::kDecided || apart > settings.separation_limit * normal_.norm());
+    return apart > 0 && (kEarlyOut == EarlyOut::kDecided || apart > settings.separation_limit * portal_.normal.norm());
   }
   Termination TerminateApart(const Corner& farthest, S apart) {
     DGD_ASSERT(apart > 0);
-    length_ = normal_.norm();
+    portal_.length = portal_.normal.norm();
     apart_ = apart;
-    corners_[0] = farthest;
+    portal_.corners[0] = farthest;
     return Termination::kApart;
   }
 
-  /// After LeavesByFacet(), with a radius: by the cylinder about the edge that the ray passes beyond. Rarer, and long.
+  /// With a radius, where the ray does not leave by the facet: by the cylinder about the edge that it passes beyond.
+  /// Rarer, and long.
   /// @return nothing if there is a corner beyond the edge, which takes part now.
   template <EarlyOut kEarlyOut>
   DGD_FLATTEN DGD_NOINLINE std::optional<Termination> LeaveByEdge(const Settings<S>& settings) {
-    if (!HasVertices() || !IsWellConditioned()) return Termination::kNone;
-    const auto beyond = static_cast<std::size_t>(std::ranges::min_element(weights_) - weights_.begin());
+    if (!portal_.HasVertices() || !portal_.IsWellConditioned()) return Termination::kNone;
+    const auto beyond = static_cast<std::size_t>(std::ranges::min_element(portal_.weights) - portal_.weights.begin());
     DGD_ASSERT(beyond < 3);
     const std::size_t a = (beyond + 1) % 3, b = (beyond + 2) % 3;
-    const S inradius = set_1_.core.Inradius() + set_2_.core.Inradius();
-    const Matrix3<S> frame = FrameAlong<S>(ray_.normalized());
+    const S inradius = support_.CoreInradius();
+    const Matrix3<S> frame = FrameAlong<S>(portal_.ray.normalized());
     solver_internal::FeatureExit<S, 3> exit;
-    const bool is_left = radius_ > kMinConvexRadius<S> * inradius &&
-                         solver_internal::EdgeExit<S>(frame.transpose() * corners_[a].point,
-                                                      frame.transpose() * corners_[b].point, radius_, exit);
-    if (!is_left || !(exit.normal.z() > kFlat)) return Termination::kNone;
+    const bool is_left =
+        portal_.radius > kMinConvexRadius<S> * inradius &&
+        solver_internal::EdgeExit<S>(frame.transpose() * portal_.corners[a].point,
+                                     frame.transpose() * portal_.corners[b].point, portal_.radius, exit);
+    if (!is_left || !(exit.normal.z() > Portal::kFlat)) return Termination::kNone;
     const Point normal = frame * exit.normal;
     const S height = exit.height * exit.normal.z();
-    const Corner farthest = CornerAlong(normal);
-    const S rise = normal.dot(farthest.point - corners_[a].point);
+    const Corner farthest = support_.CornerAlong(normal);
+    const S rise = normal.dot(farthest.point - portal_.corners[a].point);
     if (rise > settings.relative_tolerance * height) {
-      Replace(beyond, farthest);
+      portal_.Replace(beyond, farthest);
       return std::nullopt;
     }
-    normal_ = normal;
-    length_sq_ = length_ = 1;
-    exit_height_ = height_ = height;
-    along_ = normal.dot(ray_);
+    portal_.normal = normal;
+    portal_.length_sq = portal_.length = 1;
+    portal_.exit_height = portal_.height = height;
+    portal_.along = normal.dot(portal_.ray);
     rise_ = rise;
-    if (kEarlyOut != EarlyOut::kNever && IsApart<kEarlyOut>(along_ - height - rise, settings)) {
-      return TerminateApart(farthest, along_ - height - rise);
+    if (kEarlyOut != EarlyOut::kNever && IsApart<kEarlyOut>(portal_.along - height - rise, settings)) {
+      return TerminateApart(farthest, portal_.along - height - rise);
     }
-    weights_[beyond] = 0;
-    weights_[a] = exit.weights[0];
-    weights_[b] = exit.weights[1];
-    is_weighed_ = true;
+    portal_.weights[beyond] = 0;
+    portal_.weights[a] = exit.weights[0];
+    portal_.weights[b] = exit.weights[1];
+    portal_.is_weighed = true;
     return Termination::kExit;
   }
 
   /// Whether the corners at which a refinement ended are those of a certain facet.
   bool IsCertain(Termination end) {
     if (end == Termination::kNone) return false;
-    ended_at_thin_facet_ = !LeavesByFacet();
-    return !ended_at_thin_facet_ && HasInterior(corners_[0]);
+    ended_at_thin_facet_ = !portal_.LeavesByFacet();
+    return !ended_at_thin_facet_ && support_.HasInterior(portal_.corners[0]);
   }
   /// Not inlined: with its registers, a refinement takes a tenth longer.
   /// @param state  Out, if there is one.
   DGD_NOINLINE bool Report(Termination end, const Settings<S>& settings, WarmStart<S>* state, Result<S>& result) {
-    result.iterations = iterations_;
+    result.iterations = support_.iterations;
     if (end == Termination::kApart) {
-      const S along = normal_.dot(ray_);
+      const S along = portal_.normal.dot(portal_.ray);
       result.status = Status::kSeparated;
-      result.normal = normal_ / length_;
-      result.separation = apart_ / length_;
+      result.normal = portal_.normal / portal_.length;
+      result.separation = apart_ / portal_.length;
       result.lower_bound = along / (along - apart_);
       // Of the balls about the centres.
-      const S length = ray_.norm();
-      const S inradius_1 = set_1_.core.Inradius() + set_1_.radius, inradius_2 = set_2_.core.Inradius() + set_2_.radius;
+      const S length = portal_.ray.norm();
+      const S inradius_1 = support_.Inradius1(), inradius_2 = support_.Inradius2();
       result.upper_bound = std::max(result.lower_bound, length / (inradius_1 + inradius_2));
-      result.witness_1 = pose_1_ * set_1_.core.Center() + inradius_1 / length * ray_;
-      result.witness_2 = pose_2_ * set_2_.core.Center() - inradius_2 / length * ray_;
+      result.witness_1 = support_.pose_1 * support_.set_1.core.Center() + inradius_1 / length * portal_.ray;
+      result.witness_2 = support_.pose_2 * support_.set_2.core.Center() - inradius_2 / length * portal_.ray;
     } else {
       if (!IsCertain(end)) return false;
-      const S support = height_ + rise_;
-      DGD_ASSERT(height_ > 0 && exit_height_ > 0 && length_ > 0);
-      result.normal = normal_ / length_;
-      result.separation = (along_ - support) / length_;
-      result.upper_bound = along_ / exit_height_;
-      result.lower_bound = along_ / std::max(support, exit_height_);
-      result.witness_1 = pose_1_.translation + OnSet1(result.normal);
-      result.witness_2 = pose_2_.translation + OnSet2(result.normal);
+      const S support = portal_.height + rise_;
+      DGD_ASSERT(portal_.height > 0 && portal_.exit_height > 0 && portal_.length > 0);
+      result.normal = portal_.normal / portal_.length;
+      result.separation = (portal_.along - support) / portal_.length;
+      result.upper_bound = portal_.along / portal_.exit_height;
+      result.lower_bound = portal_.along / std::max(support, portal_.exit_height);
+      result.witness_1 = support_.pose_1.translation + support_.OnSet1(portal_, result.normal);
+      result.witness_2 = support_.pose_2.translation + support_.OnSet2(portal_, result.normal);
       result.status = result.separation > settings.separation_limit ? Status::kSeparated : Status::kOptimal;
     }
     if (!IsFinite(result)) return false;
@@ -340,23 +313,24 @@ class PortalRefinement : private solver_internal::PortalDiscovery<Set1, Set2> {
     return true;
   }
   DGD_NOINLINE bool Report(Termination end, const Settings<S>&, WarmStart<S>* state, CollisionResult<S>& result) {
-    result.iterations = iterations_;
+    result.iterations = support_.iterations;
     if (end == Termination::kApart) {
       result.status = Status::kSeparated;
-      result.normal = normal_ / length_;
-      result.separation = apart_ / length_;
-      result.point =
-          pose_1_ * set_1_.core.Vertex(corners_[0].feature_1) + (set_1_.radius + result.separation / 2) * result.normal;
-    } else if (common_) {
+      result.normal = portal_.normal / portal_.length;
+      result.separation = apart_ / portal_.length;
+      result.point = support_.pose_1 * support_.set_1.core.Vertex(portal_.corners[0].feature_1) +
+                     (support_.set_1.radius + result.separation / 2) * result.normal;
+    } else if (discovery_.CommonPoint()) {
       result.status = Status::kColliding;
-      result.point = pose_1_.translation + *common_;
+      result.point = support_.pose_1.translation + *discovery_.CommonPoint();
       return IsFinite(result);
     } else {
       if (!IsCertain(end)) return false;
-      result.status = along_ <= exit_height_ ? Status::kColliding : Status::kTouching;
-      result.normal = normal_ / length_;
-      const Point center_1 = pose_1_.rotation * set_1_.core.Center();
-      result.point = pose_1_.translation + center_1 + along_ / exit_height_ * (OnSet1(result.normal) - center_1);
+      result.status = portal_.along <= portal_.exit_height ? Status::kColliding : Status::kTouching;
+      result.normal = portal_.normal / portal_.length;
+      const Point center_1 = support_.pose_1.rotation * support_.set_1.core.Center();
+      result.point = support_.pose_1.translation + center_1 +
+                     portal_.along / portal_.exit_height * (support_.OnSet1(portal_, result.normal) - center_1);
     }
     if (!IsFinite(result)) return false;
     if (state != nullptr) Remember(result.status, result.normal, *state);
@@ -365,14 +339,17 @@ class PortalRefinement : private solver_internal::PortalDiscovery<Set1, Set2> {
 
   /// A pair that is apart remembers its normal only: the next query tries that first, and needs no basis then.
   void Remember(Status status, const Point& normal, WarmStart<S>& state) const {
-    RememberCorners(state);
-    DGD_ASSERT(IsUnitOrNan(normal) && (status == Status::kSeparated || HasVertices()));
-    state.normal_1 = (pose_1_.rotation.transpose() * normal).normalized();
+    portal_.Leave(state);
+    DGD_ASSERT(IsUnitOrNan(normal) && (status == Status::kSeparated || portal_.HasVertices()));
+    state.normal_1 = (support_.pose_1.rotation.transpose() * normal).normalized();
     state.size = status == Status::kSeparated ? 0 : 3;
   }
 
-  S rise_;   // Of the sets' support value over the plane of the corners, times the normal's length.
-  S apart_;  // Of the sets' supporting planes along the normal, times its length.
+  Support support_;
+  Portal portal_{support_.Ray(), support_.Radius()};
+  solver_internal::PortalDiscovery<Set1, Set2> discovery_{portal_, support_};
+  S rise_;   // Height of the sets' support value over the plane of the corners, times the normal's length.
+  S apart_;  // Distance of the sets' supporting planes along the normal, times its length.
   bool ended_at_thin_facet_ = false;
 };
 
