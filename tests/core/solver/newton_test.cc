@@ -75,7 +75,7 @@ Shares CheckWalk(const Make1& make_1, const Make2& make_2) {
     EXPECT_LE(cuts.LowerBound(), result.upper_bound * (1 + 1e-12));
     dgd::NewtonSearch<Set1, Set2> search(difference, settings);
     if (!search.Solve(dgd::QueryMode::kDistance, difference.EllipsoidGuess(), nullptr, observer)) continue;
-    EXPECT_EQ(search.UpperBound(), result.upper_bound);
+    EXPECT_EQ(search.Bounds().UpperBound(), result.upper_bound);
     shares.answered += 1.0 / pairs;
     shares.iterations += search.Iterations();
   }

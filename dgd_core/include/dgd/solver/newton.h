@@ -33,32 +33,26 @@
 namespace dgd {
 
 template <class Set1, class Set2>
-class NewtonSearch : private solver_internal::NewtonBounds<MinkowskiDifference<Set1, Set2>> {
-  using Bounds = solver_internal::NewtonBounds<MinkowskiDifference<Set1, Set2>>;
-
+class NewtonSearch {
  public:
-  using Bounds::Bounds;
-  using Bounds::L;
-  using Bounds::LowerBound;
-  using Bounds::Normal;
-  using Bounds::NormalInFrame;
-  using Bounds::PointBetween;
-  using Bounds::Separation;
-  using Bounds::UpperBound;
-  using Bounds::Witness1;
-  using Bounds::Witness2;
-  using typename Bounds::Difference;
-  using typename Bounds::Point;
-  using typename Bounds::S;
+  using Difference = MinkowskiDifference<Set1, Set2>;
+  using NewtonBounds = solver_internal::NewtonBounds<Difference>;
+  using Point = typename Difference::Point;
+  using S = typename Difference::S;
+  static constexpr int L = Difference::L;
   static_assert(Difference::kIsSmooth);
 
-  /// Evaluations of the support functions at most; what takes more has met pieces that do not fit the model.
+  NewtonSearch(const Difference& difference, const Settings<S>& settings)
+      : difference_(difference), settings_(settings), bounds_(difference, settings) {}
+
+  /// Most evaluations of the support functions; what takes more has met pieces that do not fit the model.
   static constexpr int kMostIterations = 12;
 
   /// @param start       The first normal: ray frame, upwards.
   /// @param warm_start  Names pieces to begin with.
   /// @param observer    Called with an Iterate after each iteration.
-  /// @return how the query ended; nothing if that is RayIntersection's to find out, best from Normal() on.
+  /// @return how the query ended; nothing if that is RayIntersection's to find out, best from the normal of the bounds
+  /// on.
   template <class Observer>
   DGD_FLATTEN std::optional<Status> Solve(QueryMode mode, const Point& start, const WarmStart<S, L>* warm_start,
                                           Observer& observer) {
@@ -68,10 +62,10 @@ class NewtonSearch : private solver_internal::NewtonBounds<MinkowskiDifference<S
     for (;;) {
       const bool has_cut = Cut(direction);
       if (iterations_ == 1 && !difference_.HasCertainInterior(highest_.support)) return std::nullopt;
-      std::optional<Status> verdict = Verdict(mode);
+      std::optional<Status> verdict = bounds_.Verdict(mode);
       const bool has_step = has_cut && !verdict && FindStep(direction);
       // Which of several pieces bound the ray is known with the step.
-      if (has_step && size_ > 1) verdict = Verdict(mode);
+      if (has_step && size_ > 1) verdict = bounds_.Verdict(mode);
       Report(observer);
       if (has_cut && !verdict && (!has_step || overshoots_)) verdict = TryFaces(mode, observer);
       if (verdict) return verdict;
@@ -80,10 +74,12 @@ class NewtonSearch : private solver_internal::NewtonBounds<MinkowskiDifference<S
     }
   }
 
+  /// What the steps have proven.
+  const NewtonBounds& Bounds() const { return bounds_; }
   int Iterations() const { return iterations_; }
   /// A pair that is apart remembers its normal only, and where to look first.
   void Remember(Status status, WarmStart<S, L>& warm_start) const {
-    warm_start.normal_1 = difference_.NormalOfSet1(outer_direction_);
+    warm_start.normal_1 = difference_.NormalOfSet1(bounds_.OuterDirection());
     warm_start.size = 0;
     warm_start.features_1[0] = highest_.support.feature_1;
     warm_start.features_2[0] = highest_.support.feature_2;
@@ -96,14 +92,6 @@ class NewtonSearch : private solver_internal::NewtonBounds<MinkowskiDifference<S
   }
 
  private:
-  using Bounds::difference_;
-  using Bounds::inner_;
-  using Bounds::LowerOuter;
-  using Bounds::outer_;
-  using Bounds::outer_direction_;
-  using Bounds::RaiseInner;
-  using Bounds::settings_;
-  using Bounds::Verdict;
   using Feature = typename Difference::Feature;
   using Curved = CurvedDifferencePoint<S, L>;
   using Model = NewtonStepModel<S, L>;
@@ -112,9 +100,9 @@ class NewtonSearch : private solver_internal::NewtonBounds<MinkowskiDifference<S
 
   struct Piece {
     Curved at;
-    S height = 0;            ///< Of its plane along the best direction, on the ray.
-    bool is_fixed = false;   ///< A plane only: the point of another direction.
-    bool is_active = false;  ///< In the last step.
+    S height = 0;            ///< Height of its plane along the best direction, on the ray.
+    bool is_fixed = false;   ///< It is a plane only: the point of another direction.
+    bool is_active = false;  ///< It took part in the last step.
   };
 
   /// Steps without curvature begin with twice those for a ball, and grow as long as they meet nothing new. By
@@ -159,11 +147,11 @@ class NewtonSearch : private solver_internal::NewtonBounds<MinkowskiDifference<S
     highest_ = SupportAlong(direction);
     const S height = direction.dot(highest_.support.point);
     overshoots_ = false;
-    if (height <= outer_ + kHeightSlack * outer_) {
+    if (height <= bounds_.Outer() + kHeightSlack * bounds_.Outer()) {
       MoveTo(direction, height);
       return true;
     }
-    if (!(height > 0) || outer_ == std::numeric_limits<S>::infinity()) return false;  // Also for NaN.
+    if (!(height > 0) || bounds_.Outer() == std::numeric_limits<S>::infinity()) return false;  // Also for NaN.
     return AddPiece();
   }
 
@@ -171,7 +159,7 @@ class NewtonSearch : private solver_internal::NewtonBounds<MinkowskiDifference<S
     const bool is_same = size_ > 0 && pieces_[0].at.support.HasFeaturesOf(highest_.support);
     damping_ = is_same ? damping_ / kGrowth : kDamping;
     direction_ = direction;
-    LowerOuter(direction, height, highest_.support.on_1);
+    bounds_.LowerOuter(direction, height, highest_.support.on_1);
     // The highest one first; a place is free before each that stays.
     Piece moved{highest_, height, false, true};
     int kept = 0;
@@ -189,7 +177,7 @@ class NewtonSearch : private solver_internal::NewtonBounds<MinkowskiDifference<S
     pieces_[static_cast<std::size_t>(kept++)] = moved;
     DGD_ASSERT(kept >= 1 && kept <= kMaxPieces);
     size_ = kept;
-    if (size_ == 1) RaiseInner(highest_.support.point, highest_.support.on_1);
+    if (size_ == 1) bounds_.RaiseInner(highest_.support.point, highest_.support.on_1);
   }
 
   /// What a step that went too far has met: a new piece, or of one that takes part already, its plane there.
@@ -219,7 +207,7 @@ class NewtonSearch : private solver_internal::NewtonBounds<MinkowskiDifference<S
 
   /// @param direction  Out: the next one to cut along.
   bool FindStep(Point& direction) {
-    Model model(outer_, damping_);
+    Model model(bounds_.Outer(), damping_);
     typename Model::Subset guess = 0;
     for (int i = 0; i < size_; ++i) {
       const Piece& piece = pieces_[static_cast<std::size_t>(i)];
@@ -240,7 +228,7 @@ class NewtonSearch : private solver_internal::NewtonBounds<MinkowskiDifference<S
   Across WithinReach(const Across& step) const {
     constexpr S kPart = S(0.9);  // All the way only a ball has a plane as low.
     const Across from = direction_.template head<L - 1>();
-    const S reach = kPart * outer_ / difference_.Inradius(), reach_sq = reach * reach - 1;
+    const S reach = kPart * bounds_.Outer() / difference_.Inradius(), reach_sq = reach * reach - 1;
     if ((from + step).squaredNorm() <= reach_sq) return step;
     // |from + t step|^2 = reach_sq.
     const S a = step.squaredNorm(), b = step.dot(from), c = from.squaredNorm() - reach_sq;
@@ -261,7 +249,7 @@ class NewtonSearch : private solver_internal::NewtonBounds<MinkowskiDifference<S
         tried_faces_[i] |= FaceBit(faces[i]);
         const bool is_left = LeavesByFace(normals[i]);
         Report(observer);
-        if (is_left) return Verdict(mode);
+        if (is_left) return bounds_.Verdict(mode);
       }
     }
     return std::nullopt;
@@ -277,12 +265,12 @@ class NewtonSearch : private solver_internal::NewtonBounds<MinkowskiDifference<S
     const Curved support = SupportAlong(direction);
     const S height = direction.dot(support.support.point);
     Point on_1;
-    if (!(height <= outer_ + kHeightSlack * outer_) ||
+    if (!(height <= bounds_.Outer() + kHeightSlack * bounds_.Outer()) ||
         !LeavesByDisc(difference_, support.support, normal, height, on_1)) {
       return false;
     }
-    LowerOuter(direction, height, support.support.on_1);
-    RaiseInner(height * Point::Unit(L - 1), on_1);
+    bounds_.LowerOuter(direction, height, support.support.on_1);
+    bounds_.RaiseInner(height * Point::Unit(L - 1), on_1);
     return true;
   }
 
@@ -319,24 +307,27 @@ class NewtonSearch : private solver_internal::NewtonBounds<MinkowskiDifference<S
       point += weights[i] * points[i]->point;
       on_1 += weights[i] * points[i]->on_1;
     }
-    RaiseInner(point, on_1);
+    bounds_.RaiseInner(point, on_1);
   }
 
   template <class Observer>
   void Report(Observer& observer) const {
     if constexpr (!std::is_same_v<Observer, const NoObserver>) {
-      observer(Iterate<S, L>{iterations_, LowerBound(), UpperBound(), Normal()});
+      observer(Iterate<S, L>{iterations_, bounds_.LowerBound(), bounds_.UpperBound(), bounds_.Normal()});
     }
   }
 
+  const Difference& difference_;
+  const Settings<S>& settings_;
+  NewtonBounds bounds_;
   int iterations_ = 0;
-  Point direction_ = Point::Unit(L - 1);  // That the pieces are at: of about the lowest plane.
-  Curved highest_;                        // Along the last direction.
+  Point direction_ = Point::Unit(L - 1);  // Direction that the pieces are at: of about the lowest plane.
+  Curved highest_;                        // Highest piece along the last direction.
   bool overshoots_ = false;               // The last step was too long for its pieces.
   std::array<Piece, kMaxPieces> pieces_;  // The highest along direction_ first.
   int size_ = 0;
   S damping_ = kDamping;
-  std::array<std::uint32_t, 2> tried_faces_{};  // By FaceBit(), of set 1 and set 2.
+  std::array<std::uint32_t, 2> tried_faces_{};  // Bits of FaceBit(), of set 1 and set 2.
 };
 
 }  // namespace dgd

@@ -12,7 +12,7 @@
 
 namespace dgd::solver_internal {
 
-/// See newton.h. In the ray's frame, about the centres, metres, unless said.
+/// Bounds of a search: see newton.h. Coordinates are in the ray's frame, about the centres, metres, unless said.
 template <class MinkowskiDifference>
 class NewtonBounds {
  public:
@@ -46,7 +46,10 @@ class NewtonBounds {
     return difference_.Center1() + difference_.DirectionToWorld(outer_on_1_) + Separation() / 2 * Normal();
   }
 
- protected:
+  /// Height of the lowest supporting plane so far, metres, and its normal, scaled to height 1.
+  S Outer() const { return outer_; }
+  const Point& OuterDirection() const { return outer_direction_; }
+
   void LowerOuter(const Point& direction, S height, const Point& on_1) {
     if (!(height < outer_)) return;
     outer_ = height;
@@ -85,13 +88,14 @@ class NewtonBounds {
     return std::nullopt;
   }
 
+ private:
   const Difference& difference_;
   const Settings<S>& settings_;
-  S outer_ = std::numeric_limits<S>::infinity();  // Height of the lowest supporting plane so far; metres.
-  Point outer_direction_ = Point::Unit(L - 1);    // Its normal, scaled to height 1.
-  Point outer_on_1_ = Point::Zero();              // Of set 1, on its plane.
-  S inner_;                                       // Height up to which C certainly holds the ray; metres.
-  Point inner_on_1_;                              // Of set 1, for the ray's point there.
+  S outer_ = std::numeric_limits<S>::infinity();
+  Point outer_direction_ = Point::Unit(L - 1);
+  Point outer_on_1_ = Point::Zero();  // Point of set 1 on its plane.
+  S inner_;                           // Height up to which C certainly holds the ray; metres.
+  Point inner_on_1_;                  // Point of set 1 for the ray's point there.
 };
 
 }  // namespace dgd::solver_internal

@@ -246,7 +246,7 @@ DGD_NOINLINE void SolveAfterNewton(QueryMode mode, const NewtonSearch<Set1, Set2
   WarmStartOf<Set1> own_state;
   WarmStartOf<Set1>& state = warm_start != nullptr ? *warm_start : own_state;
   state = {};
-  state.normal_1 = difference.NormalOfSet1(search.NormalInFrame());
+  state.normal_1 = difference.NormalOfSet1(search.Bounds().NormalInFrame());
   settings.max_iterations -= search.Iterations();
   if constexpr (std::is_same_v<Observer, const NoObserver>) {
     SolveByRayIntersection(mode, difference, settings, &state, observer, result);
@@ -254,12 +254,12 @@ DGD_NOINLINE void SolveAfterNewton(QueryMode mode, const NewtonSearch<Set1, Set2
     // The iterates are counted on, and have the better of both bounds.
     const auto going_on = [&](auto iterate) {
       iterate.iteration += search.Iterations();
-      MergeBoundsOf(search, iterate);
+      MergeBoundsOf(search.Bounds(), iterate);
       observer(iterate);
     };
     SolveByRayIntersection(mode, difference, settings, &state, going_on, result);
   }
-  if (result.status != Status::kNoInterior) MergeBounds(search, result);
+  if (result.status != Status::kNoInterior) MergeBounds(search.Bounds(), result);
 }
 
 /// Solves in the ray's frame: curved sets by Newton's steps, and by the ray intersection where these end; others by the
@@ -283,7 +283,7 @@ DGD_FLATTEN void SolveInRayFrame(QueryMode mode, const Set1& set_1, const PoseOf
       result.iterations += search.Iterations();
       if (!status) return SolveAfterNewton(mode, search, difference, settings, warm_start, observer, result);
       if (warm_start != nullptr) search.Remember(*status, *warm_start);
-      return Report(difference, search, *status, result);
+      return Report(difference, search.Bounds(), *status, result);
     }
   }
   SolveByRayIntersection(mode, difference, settings, warm_start, observer, result);
