@@ -20,8 +20,8 @@ struct Powers {
   double least_part;    ///< Heights below this part of the highest one are left out.
 };
 
-/// Of the heights of offsets w_j along a direction, as parts r_j of the highest one's, w_0: over those with r_j > 0, of
-/// u_j = w_j - r_j w_0, which is across the direction.
+/// Sums of the heights of offsets w_j along a direction, as parts r_j of the highest one's, w_0: over those with r_j >
+/// 0, of u_j = w_j - r_j w_0, which is across the direction.
 struct Sums {
   double highest = 0;     ///< Height of w_0; if not positive, or NaN, the rest is as it was.
   double top[3] = {};     ///< w_0.
@@ -35,7 +35,7 @@ struct Sums {
 /// Each operation is rounded, and all versions give the same bits.
 using SumKernel = void (*)(const double* offsets, std::size_t blocks, const double* direction, const Powers& powers,
                            bool with_spread, Sums& sums);
-/// For processors that have AVX2.
+/// The same for processors that have AVX2.
 void SumAvx2(const double* offsets, std::size_t blocks, const double* direction, const Powers& powers, bool with_spread,
              Sums& sums);
 

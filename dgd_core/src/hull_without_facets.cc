@@ -16,7 +16,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Of the greatest distance from the centre. Sets that are thinner, some 300 times as wide as thick, are Qhull's.
+/// Least inradius, as a part of the greatest distance from the centre. Sets that are thinner, some 300 times as wide as
+/// thick, are Qhull's.
 constexpr double kLeastInradius = 1e-3;
 
 /// Metres. Eighth powers are finite, as FindFacet() takes them, and not zero.

@@ -94,7 +94,7 @@ class FacetsAround {
     constexpr int kMostTurns = 64;
     const Vector3d upside_down = -normal;
     normal = normal.cross(axis);
-    // Of the lengths that the normal is the product of: roundoff is a part of these, also where they are nearly
+    // Part of the lengths that the normal is the product of: roundoff is a part of these, also where they are nearly
     // parallel.
     double scale_sq = normal.squaredNorm();
     std::optional<VertexId> met;

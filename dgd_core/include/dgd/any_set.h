@@ -104,18 +104,18 @@ class AnySet {
   Variant set_;
 };
 
-/// As GrowthDistance() of growth_distance.h. The tolerance of settings is raised to the accuracy of custom cores, here
+/// GrowthDistance() of growth_distance.h. The tolerance of settings is raised to the accuracy of custom cores, here
 /// and below. None of these functions allocates or throws, but for what a custom core's function does.
 DGD_EXPORT Result<double> GrowthDistance(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
                                          const Pose<double>& pose_2, const Settings<double>& settings = {},
                                          WarmStart<double>* warm_start = nullptr);
 
-/// As DetectCollision() of growth_distance.h.
+/// DetectCollision() of growth_distance.h.
 DGD_EXPORT CollisionResult<double> DetectCollision(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
                                                    const Pose<double>& pose_2, const Settings<double>& settings = {},
                                                    WarmStart<double>* warm_start = nullptr);
 
-/// As SignedDistance() of signed_distance.h.
+/// SignedDistance() of signed_distance.h.
 DGD_EXPORT SignedDistanceResult<double> SignedDistance(const AnySet& set_1, const Pose<double>& pose_1,
                                                        const AnySet& set_2, const Pose<double>& pose_2,
                                                        const Result<double>& growth,
@@ -123,18 +123,18 @@ DGD_EXPORT SignedDistanceResult<double> SignedDistance(const AnySet& set_1, cons
                                                        const Settings<double>& settings = {},
                                                        WarmStart<double>* follow = nullptr);
 
-/// As SignedDistance() of signed_distance.h without a growth distance.
+/// SignedDistance() of signed_distance.h without a growth distance.
 DGD_EXPORT SignedDistanceResult<double> SignedDistance(const AnySet& set_1, const Pose<double>& pose_1,
                                                        const AnySet& set_2, const Pose<double>& pose_2,
                                                        const Settings<double>& settings = {},
                                                        WarmStart<double>* follow = nullptr);
 
-/// As UpdateDistance() of signed_distance.h.
+/// UpdateDistance() of signed_distance.h.
 DGD_EXPORT SignedDistanceResult<double> UpdateDistance(const AnySet& set_1, const Pose<double>& pose_1,
                                                        const AnySet& set_2, const Pose<double>& pose_2,
                                                        const Settings<double>& settings, WarmStart<double>& state);
 
-/// As GrowthDistanceGradient() and SignedDistanceGradient() of gradient.h.
+/// GrowthDistanceGradient() and SignedDistanceGradient() of gradient.h.
 DGD_EXPORT Gradient<double> GrowthDistanceGradient(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
                                                    const Pose<double>& pose_2, const Result<double>& result);
 DGD_EXPORT Gradient<double> SignedDistanceGradient(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
@@ -148,17 +148,17 @@ DGD_EXPORT SignedDistanceResult<double> UpdateOnReferenceFace(const AnySet& set_
                                                               double angular_tolerance, ReferenceSide side,
                                                               WarmStart<double>& state, FacingFaces<double>& facing);
 
-/// As FindFacingFaces() of facing_faces.h.
+/// FindFacingFaces() of facing_faces.h.
 DGD_EXPORT void FindFacingFaces(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
                                 const Pose<double>& pose_2, const Result<double>& result, double angular_tolerance,
                                 FacingFaces<double>& facing);
 
-/// As TimeOfImpact() of time_of_impact.h.
+/// TimeOfImpact() of time_of_impact.h.
 DGD_EXPORT TimeOfImpactResult<double> TimeOfImpact(const AnySet& set_1, const Motion<double>& motion_1,
                                                    const AnySet& set_2, const Motion<double>& motion_2,
                                                    const SweepSettings<double>& settings = {});
 
-/// As GrowthDistance() of half_space_distance.h, and FindFacingFaces() of half_space_patch.h.
+/// GrowthDistance() of half_space_distance.h, and FindFacingFaces() of half_space_patch.h.
 DGD_EXPORT Result<double> GrowthDistance(const AnySet& set, const Pose<double>& pose,
                                          const HalfSpace<double>& half_space, const Pose<double>& half_space_pose);
 DGD_EXPORT FacingFaces<double> FindFacingFaces(const AnySet& set, const Pose<double>& pose,

@@ -72,7 +72,7 @@ class PosedSet {
     }
   }
 
-  /// Of a world point, 0 inside.
+  /// Distance of a world point from a set, 0 inside.
   double Distance(const Point& point) const {
     if (!point.allFinite()) return std::numeric_limits<double>::quiet_NaN();
     const VectorOf<Core> local = Point(rotation_.transpose() * (point - translation_)).template cast<S>();

@@ -54,8 +54,8 @@ using AngularVector = Vector<S, L == 3 ? 3 : 1>;
 /// distance dimensionless and metres per radian. World coordinates.
 template <class S, int L = 3>
 struct PoseGradient {
-  Vector<S, L> linear = Vector<S, L>::Zero();                 ///< By the velocity of the frame's origin.
-  AngularVector<S, L> angular = AngularVector<S, L>::Zero();  ///< By the angular velocity about that origin.
+  Vector<S, L> linear = Vector<S, L>::Zero();                 ///< Derivative by the velocity of the frame's origin.
+  AngularVector<S, L> angular = AngularVector<S, L>::Zero();  ///< Derivative by the angular velocity about that origin.
 
   /// The distance's rate of change while the pose moves with this twist.
   S Rate(const Vector<S, L>& velocity, const AngularVector<S, L>& angular_velocity) const {
@@ -67,11 +67,11 @@ struct PoseGradient {
 /// the status.
 template <class S, int L = 3>
 struct Gradient {
-  /// That of the result it was made from. kOptimal, kIterationLimit, kStalled, kCoincidentCenters: the gradient of the
-  /// normal and the contact point that were found, if the result has any; the first is exact to the solution's error.
-  /// All others (kSeparated among them, which stops before there is an optimum): zero.
-  /// kInvalidInput also for NaN or infinity in a pose, a radius, a core or the result, and for a normal whose length is
-  /// not 1. kNoInterior also if the sets have no extent along the normal.
+  /// Status of the result it was made from. kOptimal, kIterationLimit, kStalled, kCoincidentCenters: the gradient of
+  /// the normal and the contact point that were found, if the result has any; the first is exact to the solution's
+  /// error. All others (kSeparated among them, which stops before there is an optimum): zero. kInvalidInput also for
+  /// NaN or infinity in a pose, a radius, a core or the result, and for a normal whose length is not 1. kNoInterior
+  /// also if the sets have no extent along the normal.
   Status status = Status::kInvalidInput;
   PoseGradient<S, L> pose_1, pose_2;
   /// Whether no other normal and no other contact point is optimal. True is certain within the tolerances of
@@ -182,7 +182,7 @@ requires ConvexCore<typename Set1::Core> && ConvexCore<typename Set2::Core>
 ///                of sets whose cores overlap is not reported as unique: another one elsewhere may be as good, and the
 ///                distance is then the larger one of what either says. Neither is that of a result whose bounds differ
 ///                by more than the root of the scalar's epsilon times the sets' size.
-/// As GrowthDistanceGradient() in all else.
+/// It is as GrowthDistanceGradient() in all else.
 template <class Set1, class Set2>
 requires ConvexCore<typename Set1::Core> && ConvexCore<typename Set2::Core> Gradient<typename Set1::Scalar>
 SignedDistanceGradient(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2, const PoseOf<Set1>& pose_2,

@@ -48,7 +48,7 @@ requires ConvexCore<typename Set::Core> ResultOf<Set> GrowthDistance(
   return result;
 }
 
-/// As above, in the other order.
+/// The same in the other order.
 template <class Set>
 requires ConvexCore<typename Set::Core> ResultOf<Set> GrowthDistance(
     const HalfSpace<typename Set::Scalar, kDimension<typename Set::Core>>& half_space,
@@ -78,7 +78,7 @@ requires ConvexCore<typename Set::Core> CollisionResultOf<Set> DetectCollision(
   return result;
 }
 
-/// As above, in the other order.
+/// The same in the other order.
 template <class Set>
 requires ConvexCore<typename Set::Core> CollisionResultOf<Set> DetectCollision(
     const HalfSpace<typename Set::Scalar, kDimension<typename Set::Core>>& half_space,

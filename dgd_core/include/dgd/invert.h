@@ -8,7 +8,7 @@
 
 namespace dgd {
 
-/// By the determinant, without dividing by one that is 0, too small, or not a number: nothing is raised then.
+/// Inverse by the determinant, without dividing by one that is 0, too small, or not a number: nothing is raised then.
 /// @param inverse  Out; left as it was where the matrix has none.
 /// @return false for a singular matrix.
 template <class S>

@@ -10,7 +10,7 @@ namespace dgd {
 template <class S>
 struct Motion {
   Pose<S> start;
-  Vector3<S> translation = Vector3<S>::Zero();  ///< Of the point, metres, world.
+  Vector3<S> translation = Vector3<S>::Zero();  ///< Translation of the point, metres, world.
   Vector3<S> rotation = Vector3<S>::Zero();     ///< Radians times the axis, world; more than a turn if need be.
   Vector3<S> center = Vector3<S>::Zero();       ///< The point, in the set's frame, metres.
 
@@ -34,7 +34,7 @@ struct Motion {
            rotation.allFinite() && center.allFinite();
   }
 
-  /// From one pose to another by the shortest turn, about the frame's origin.
+  /// The motion from one pose to another by the shortest turn, about the frame's origin.
   static Motion Between(const Pose<S>& start, const Pose<S>& end) {
     const Eigen::AngleAxis<S> turn(Matrix3<S>(end.rotation * start.rotation.transpose()));
     return {start, end.translation - start.translation, turn.angle() * turn.axis()};

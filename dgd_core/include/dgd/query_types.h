@@ -20,7 +20,7 @@ enum class Status : std::uint8_t {
   kTouching,           ///< Collision check only: the bounds agree within the tolerance, and 1 lies between them.
   kCoincidentCenters,  ///< The centres coincide within roundoff: growth distance 0, and any normal is as good.
   kIterationLimit,     ///< The bounds are valid but apart by more than the tolerance.
-  kStalled,            ///< As kIterationLimit: roundoff allows no further progress.
+  kStalled,            ///< The same as kIterationLimit: roundoff allows no further progress.
   kNoInterior,         ///< Neither set has an interior, or one beyond the roundoff of its points: no growth distance
                        ///< exists (paper, Rem. 1).
   kInvalidInput,  ///< NaN or infinity in a pose or radius, or from a core, or sizes of which the scalar cannot multiply
@@ -40,16 +40,16 @@ struct Settings {
   S separation_limit = std::numeric_limits<S>::infinity();
 };
 
-/// What an observer of a query is told after each iteration: the bounds of Result so far, which only approach each
+/// What an observer of a query gets after each iteration: the bounds of Result so far, which only approach each
 /// other, for convergence plots.
 template <class S, int L>
 struct Iterate {
-  int iteration;               ///< From 1.
-  S lower_bound, upper_bound;  ///< On the growth distance.
-  Vector<S, L> normal;         ///< Of the lowest supporting plane so far: world frame, unit length.
+  int iteration;               ///< Number of the iteration, from 1.
+  S lower_bound, upper_bound;  ///< Bounds on the growth distance.
+  Vector<S, L> normal;         ///< Normal of the lowest supporting plane so far: world frame, unit length.
 };
 
-/// Costs nothing.
+/// An observer that costs nothing.
 struct NoObserver {};
 
 /// A growth distance: its bounds, and what proves them.

@@ -39,7 +39,8 @@ RoundedSet<Point<S, 2>> Circle(S radius) {
   return {Point<S, 2>(), RequireLength(radius, false, "circle radius")};
 }
 
-/// Of the plane: all points within `radius` > 0 of a segment along y, from -half_length to half_length >= 0; metres.
+/// A stadium of the plane: all points within `radius` > 0 of a segment along y, from -half_length to half_length >= 0;
+/// metres.
 template <class S>
 RoundedSet<Segment<S, 2>> Stadium(S radius, S half_length) {
   return {Segment<S, 2>(RequireLength(half_length, true, "stadium half length")),

@@ -32,8 +32,9 @@ struct SignedDistanceResult {
   /// Separation along `normal`, metres, certain. Negative: moving set 2 by its absolute value along `normal` makes the
   /// sets touch.
   S separation = 0;
-  /// Of the signed distance, metres: no normal separates the sets by more. For overlapping smooth sets not as sharp as
-  /// `separation`, by up to a hundredth of the depth: the normal is the best nearby, and this bounds all others.
+  /// Upper bound on the signed distance, metres: no normal separates the sets by more. For overlapping smooth sets not
+  /// as sharp as `separation`, by up to a hundredth of the depth: the normal is the best nearby, and this bounds all
+  /// others.
   S upper_bound = std::numeric_limits<S>::infinity();
 
   /// Points on set 1 and set 2, world, metres: witness_2 - witness_1 = separation * normal, within the tolerance.

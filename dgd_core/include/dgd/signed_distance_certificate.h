@@ -18,7 +18,7 @@ namespace dgd {
 /// and that none along this normal is less; that no normal nearby has a smaller one is sampled, and of normals
 /// elsewhere nothing is said.
 struct SignedDistanceCertificate {
-  /// Of each witness point to its own set, the larger; metres.
+  /// Distance of each witness point to its own set, the larger one; metres.
   double primal_infeasibility = 0;
   /// How far the normal is from unit length.
   double dual_infeasibility = 0;
@@ -26,7 +26,7 @@ struct SignedDistanceCertificate {
   double separation_error = 0;
   /// How far witness_2 is from witness_1 + separation * normal, metres.
   double connection_error = 0;
-  /// By how much the best of some normals around separates the sets by more, metres: of 32 within 0.01 rad.
+  /// Gain in separation of the best of 32 normals within 0.01 rad, metres.
   double neighbour_gain = 0;
 
   /// @param length_tolerance  For lengths along the normal and distances from the sets, metres.

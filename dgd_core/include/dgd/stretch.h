@@ -1,4 +1,4 @@
-// By how much a linear map stretches what it maps.
+// The greatest and the least stretch of a linear map.
 #pragma once
 
 #include "dgd/export.h"
@@ -12,8 +12,8 @@ struct Stretch {
   double most, least;
 };
 
-/// By singular value decomposition, right to some last digits of `most`. Not inline: the decomposition takes a compiler
-/// 2 seconds in each file that has it.
+/// Stretch by singular value decomposition, right to some last digits of `most`. Not inline: the decomposition takes a
+/// compiler 2 seconds in each file that has it.
 /// @param linear  Finite.
 /// Does not allocate or throw.
 DGD_EXPORT Stretch StretchOf(const SquareMatrix<double, 2>& linear);

@@ -53,10 +53,10 @@ struct SupportPoint {
   FeatureId feature = kNoFeature;
 };
 
-/// A way from a vertex to one next to it.
+/// An edge from a vertex to one next to it.
 template <class Scalar>
 struct EdgeSlope {
-  VertexId vertex;  ///< Where it leads.
+  VertexId vertex;  ///< Vertex that it leads to.
   Scalar slope;  ///< Its rise by its way outwards, as their directions are long; minus infinity if none leads outwards.
 };
 

@@ -70,9 +70,9 @@ class Boundary {
     height_ = outwards_.dot(CoreSupport(outwards_)) + set.radius;
   }
 
-  /// From the pose's origin.
+  /// Centre from the pose's origin.
   const Point& Center() const { return center_; }
-  /// Of the supporting plane above the centre, metres.
+  /// Height of the supporting plane above the centre, metres.
   S Height() const { return height_; }
   /// How far the core reaches from its centre as seen here, metres.
   S Reach() const { return reach_; }

@@ -142,7 +142,7 @@ template <class S>
 bool ClipByLine(const Vector3<S>& a, const Vector3<S>& b, S orientation, const CornerList<S>& subject,
                 CornerList<S>& clipped) {
   const S dx = orientation * (b.x() - a.x()), dy = orientation * (b.y() - a.y());
-  // In any unit; inside if not negative.
+  // Distances from the line in any unit; not negative inside.
   std::array<S, CornerList<S>::kCapacity> sides;
   bool is_inside = true;
   for (int i = 0; i < subject.size; ++i) {
@@ -278,7 +278,7 @@ struct FacingFaces {
     }
   }
 
-  /// Where the surfaces are nearest to each other, or overlap most; nullptr without an overlap.
+  /// The corner where the surfaces are nearest to each other, or overlap most; nullptr without an overlap.
   const Corner<S>* Nearest() const {
     const Corner<S>* nearest = nullptr;
     for (int i = 0; i < overlap.size; ++i) {
@@ -313,14 +313,14 @@ struct FacingFaces {
   }
 
   PatchFrame<S> frame;
-  SupportingFace<S> face_1, face_2;  ///< By FindFace().
-  CornerList<S> overlap;  ///< In any order. Nothing of segments that cross, and of what is beside each other.
+  SupportingFace<S> face_1, face_2;  ///< Faces of FindFace().
+  CornerList<S> overlap;  ///< Its corners in any order; none of segments that cross, or of faces next to each other.
   bool is_across_1 = false, is_across_2 = false;  ///< Whether a face is a polygon across the normal, within roundoff.
 };
 
 /// What two sets show each other along a result's normal, as FindContactPatch() takes it.
 /// @param result             Its normal and witness points count; world, metres.
-/// @param angular_tolerance  Of FindOverlap().
+/// @param angular_tolerance  That of FindOverlap().
 template <class Set1, class Set2>
 FacingFaces<typename Set1::Scalar> FindFacingFaces(const Set1& set_1, const Pose<typename Set1::Scalar>& pose_1,
                                                    const Set2& set_2, const Pose<typename Set1::Scalar>& pose_2,

@@ -20,7 +20,7 @@ struct SupportingFace {
 
   std::array<Vector3<Scalar>, kMaxPoints> points;
   int size = 0;
-  /// Of a segment: the radius of the surface's curve across it, metres. 0 for a sharp edge, and a safe choice.
+  /// Radius of the surface's curve across a segment, metres. 0 for a sharp edge, and a safe choice.
   Scalar radius = 0;
 
   /// Newell's normal, twice the area long: by the right hand, as the points run around it.

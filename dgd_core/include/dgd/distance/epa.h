@@ -29,8 +29,8 @@ class EpaPolytope {
 
   struct Face {
     Vector3<S> normal;                    ///< Outward, unit length; zero for a sliver.
-    S distance;                           ///< Of its plane to the origin, metres; infinite for a sliver.
-    S slack;                              ///< Of heights over it, by roundoff; metres, infinite for a sliver.
+    S distance;                           ///< Distance of its plane to the origin, metres; infinite for a sliver.
+    S slack;                              ///< Roundoff of heights over it, metres; infinite for a sliver.
     std::array<std::uint8_t, 3> corners;  ///< Counterclockwise seen from outside.
 
     S Height(const Vector3<S>& point) const { return normal.dot(point) - distance; }
@@ -38,9 +38,9 @@ class EpaPolytope {
     bool HasBelow(const Vector3<S>& point) const { return Height(point) < -slack; }
   };
 
-  /// @param corners   Of a tetrahedron that holds the origin, but for roundoff.
-  /// @param roundoff  Of the points, metres.
-  /// @param reach     Of the points from each other, about; metres.
+  /// @param corners   Corners of a tetrahedron that holds the origin, but for roundoff.
+  /// @param roundoff  Roundoff of the points, metres.
+  /// @param reach     Distance of the points from each other, about; metres.
   EpaPolytope(const std::array<Feature, 4>& corners, S roundoff, S reach)
       : roundoff_(roundoff), reach_(reach), size_(4) {
     DGD_ASSERT(!(roundoff < 0) && !(reach < 0));
@@ -73,7 +73,8 @@ class EpaPolytope {
     return faces_[nearest_];
   }
 
-  /// The same among those that look aside from a unit vector, by their normals' cosine to it; null if there is none.
+  /// The nearest face among those that look aside from a unit vector, by their normals' cosine to it; null if there is
+  /// none.
   const Face* NearestAside(const Vector3<S>& direction, S most_cosine) const {
     const Face* nearest = nullptr;
     S least = std::numeric_limits<S>::infinity();
@@ -85,7 +86,7 @@ class EpaPolytope {
     return nearest;
   }
 
-  /// The same among those that look along it; a sliver if there is none.
+  /// The nearest face among those that look along a unit vector; a sliver if there is none.
   Face NearestAlong(const Vector3<S>& direction, S least_cosine) const {
     Face nearest{Vector3<S>::Zero(), std::numeric_limits<S>::infinity(), 0, {}};
     std::for_each(faces_.begin(), End(), [&](const Face& face) {
@@ -119,7 +120,7 @@ class EpaPolytope {
     return nearest;
   }
 
-  /// What of the surface is nearest to a point on or outside of it, about that point.
+  /// The part of the surface that is nearest to a point on or outside of it, about that point.
   GjkSimplex<S> TriangleNearestTo(const Vector3<S>& target) const {
     GjkSimplex<S> nearest;
     S least = std::numeric_limits<S>::infinity();
@@ -160,7 +161,7 @@ class EpaPolytope {
   }
 
  private:
-  static constexpr std::size_t kMaxPoints = 64;             // As many as an edge's bits.
+  static constexpr std::size_t kMaxPoints = 64;             // There are as many as an edge has bits.
   static constexpr std::size_t kMaxFaces = 2 * kMaxPoints;  // A closed surface has 2 n - 4.
 
   auto End() const { return faces_.begin() + static_cast<std::ptrdiff_t>(face_count_); }
@@ -230,7 +231,7 @@ class EpaPolytope {
     return highest;
   }
 
-  /// Of the visible faces, those that hang together with the first one: moved to the beginning, their edges added.
+  /// Moves the visible faces that hang together with the first one to the beginning, and adds their edges.
   /// @return how many there are.
   std::size_t CollectReplaced(Visible& visible, Hole& hole) const {
     hole.AddEdges(faces_[visible.faces[0]]);
@@ -282,7 +283,7 @@ class EpaPolytope {
   }
 
   S roundoff_, reach_;
-  S widest_sliver_ = 0;  // That there ever was.
+  S widest_sliver_ = 0;  // Width of the widest sliver that there ever was.
   std::size_t size_, face_count_ = 0, nearest_ = 0;
   std::array<Feature, kMaxPoints> points_;
   std::array<Face, kMaxFaces> faces_;

@@ -67,7 +67,7 @@ class GjkSimplex {
 
   GjkSimplex() = default;
 
-  /// Of up to three points.
+  /// The simplex of up to three points.
   GjkSimplex(const std::array<Feature, 3>& points, std::size_t size) : points_(points), size_(size) {
     DGD_ASSERT(size_ <= 3);
     if (size_ > 0) Reduce();
@@ -100,7 +100,7 @@ class GjkSimplex {
     TakeWeights(weights);
   }
 
-  /// Adds a point, and keeps what of the hull of all is nearest to the origin and has that point.
+  /// Adds a point, and keeps the part of the hull of all that is nearest to the origin and has that point.
   void Add(const Feature& added) {
     if (size_ < 3) {
       Append(added);
@@ -139,7 +139,7 @@ class GjkSimplex {
   }
   /// The hull's point nearest to the origin.
   const Vector3<S>& Nearest() const { return nearest_; }
-  /// The same with its part of set 1.
+  /// The nearest point with its part of set 1.
   Feature Combination() const {
     Feature sum;
     for (std::size_t i = 0; i < size_; ++i) {
@@ -199,8 +199,8 @@ class Descent {
   }
 
  private:
-  /// Of the squared length, that another nearest point may be longer by, and how often. Of four searches in float that
-  /// stalled 1e-4 m off, in 24 seeds of the test of UpdateDistance(), one such step freed all; by one unit, three.
+  /// Part of the squared length that another nearest point may be longer by, and how often. Of four searches in float
+  /// that stalled 1e-4 m off, in 24 seeds of the test of UpdateDistance(), one such step freed all; by one unit, three.
   static constexpr S kAsNear = 4 * kEpsilon<S>;
   static constexpr int kMaxSideways = 3;
 

@@ -29,7 +29,7 @@ template <class S>
 struct PieceModel {
   Vector3<S> point;              ///< The piece's support point along the normal, metres.
   SquareMatrix<S, 2> curvature;  ///< How it moves with the normal, along two tangents; metres.
-  S weight;                      ///< Of the piece; all sum up to 1.
+  S weight;                      ///< Weight of the piece; all sum up to 1.
 };
 
 /// Up to three pieces.
@@ -42,7 +42,7 @@ struct PieceModels {
   PieceModel<S>& operator[](std::size_t i) { return models[i]; }
 };
 
-/// What all pieces together are about a unit normal, as a function of the step across it.
+/// The model of all pieces together about a unit normal, as a function of the step across it.
 template <class S>
 class KinkModel {
  public:
@@ -64,14 +64,14 @@ class KinkModel {
   }
 
   std::size_t Size() const { return pieces_.size; }
-  /// Of the Lagrangian, the pieces' weighed mean, at the normal; metres. The Hessian is not finite where a support
-  /// function has no second derivative: along a rim's axis.
+  /// Height, gradient and Hessian of the Lagrangian, the pieces' weighed mean, at the normal; metres. The Hessian is
+  /// not finite where a support function has no second derivative: along a rim's axis.
   S Height() const { return height_; }
   const Vector2<S>& Gradient() const { return gradient_; }
   const SquareMatrix<S, 2>& Hessian() const { return hessian_; }
   /// Slope of a piece, less the first one's.
   Vector2<S> Slope(std::size_t i) const { return tangents_ * (pieces_[i].point - pieces_[0].point); }
-  /// By how much the first piece is higher.
+  /// Height of the first piece over another one.
   S Lead(std::size_t i) const { return normal_.dot(pieces_[0].point - pieces_[i].point); }
   /// Squared distance of points that are alike but for roundoff; metres^2.
   S AlikeSquared() const { return kEpsilon<S> * kEpsilon<S> * pieces_[0].point.squaredNorm(); }
@@ -108,7 +108,7 @@ class KinkModel {
   SquareMatrix<S, 2> hessian_ = SquareMatrix<S, 2>::Zero();
 };
 
-/// With the origin outside of the set.
+/// Newton's step with the origin outside of the set.
 /// @return not valid if the pieces' points are in line with the normal, or alike, or if a support function has no
 ///         second derivative there.
 template <class S>
@@ -134,7 +134,7 @@ NormalStep<S> StepOnKink(const KinkModel<S>& kink) {
   return kink.Take(step);
 }
 
-/// With the origin inside of the set: downhill, whatever the curvature.
+/// Newton's step with the origin inside of the set: downhill, regardless of the curvature.
 /// @param reach  Longest step along which the pieces do not curve upwards, radians.
 /// @param least  A step across two pieces that gains less than that is not taken, metres: all normals of a cone's side
 ///               are alike for an origin on its axis.

@@ -17,7 +17,7 @@ template <class S>
 struct NormalStep {
   bool is_valid = false;  ///< False where the Hessian is not positive definite: the rest is meaningless then.
   Vector3<S> next;        ///< The next normal, unit length.
-  S gain;                 ///< By how much h falls, by the model; metres.
+  S gain;                 ///< Fall of h, by the model; metres.
 };
 
 /// @param point      Support point along the unit vector `normal`; metres.

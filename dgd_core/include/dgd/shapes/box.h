@@ -76,7 +76,7 @@ class Box {
   Vector<S, L> center_ = Vector<S, L>::Zero();
 };
 
-/// In the plane.
+/// A rectangle of the plane.
 template <class S>
 using Rectangle = Box<S, 2>;
 

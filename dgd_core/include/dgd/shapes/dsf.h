@@ -48,7 +48,7 @@ class DGD_EXPORT DsfInDouble {
   double least_part_;          // Heights below this part of the highest one are left out of sums.
   Eigen::Vector3d origin_;
   double inradius_;
-  std::vector<double> offsets_;  // Of the vertices from the origin, in blocks.
+  std::vector<double> offsets_;  // Offsets of the vertices from the origin, in blocks.
 };
 
 /// Makes the hull once, when it is made; immutable after. Computes in double whatever S is.

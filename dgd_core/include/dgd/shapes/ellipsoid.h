@@ -157,7 +157,7 @@ S Ellipsoid<S, L>::Distance(const Vector<S, L>& point) const {
   return static_cast<S>(unit * way.norm());
 }
 
-/// In the plane.
+/// An ellipse of the plane.
 template <class S>
 using Ellipse = Ellipsoid<S, 2>;
 

@@ -22,7 +22,7 @@ class HalfSpace {
   S Distance(const Vector<S, L>& point) const { return std::max(point[L - 1], S(0)); }
 };
 
-/// In the plane.
+/// A half-plane.
 template <class S>
 using HalfPlane = HalfSpace<S, 2>;
 

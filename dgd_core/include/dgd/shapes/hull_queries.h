@@ -27,7 +27,7 @@ S InradiusOfRounded(const ConvexHull& hull) {
   return static_cast<S>(std::max(0.0, hull.inradius - kVertexRounding * LargestCoordinate(hull)));
 }
 
-/// About the centre, of the ellipsoid whose border has the vertices' moments: theirs times the dimension. Square
+/// Matrix about the centre of the ellipsoid whose border has the vertices' moments: theirs times the dimension. Square
 /// metres.
 inline Eigen::Matrix3d SpreadOfVertices(const ConvexHull& hull) {
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();

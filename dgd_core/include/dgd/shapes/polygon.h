@@ -77,7 +77,7 @@ class Polygon {
  private:
   static double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-  /// In the order of the facet that is seen from above.
+  /// Vertices in the order of the facet that is seen from above.
   void TakeCorners(const ConvexHull& hull) {
     if (hull.dimension < 2) {
       for (const Eigen::Vector3d& vertex : hull.vertices) corners_.push_back(vertex.head<2>());

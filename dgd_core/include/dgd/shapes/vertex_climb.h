@@ -76,7 +76,7 @@ class VertexClimb {
   }
 
  private:
-  /// With its coordinates about the centre, so that a step of the walk reads one stretch of memory.
+  /// A neighbour with its coordinates about the centre, so that a step of the climb reads one stretch of memory.
   struct Neighbour {
     Vector3<S> offset;
     VertexId vertex;
@@ -204,8 +204,8 @@ class VertexClimb {
   }
 
   std::vector<Vector3<S>> offsets_;  // The vertices from the centre.
-  S roundoff_ = 0;                   // Of the heights, for a direction of unit size; metres.
-  std::vector<Links> links_;         // Of each vertex.
+  S roundoff_ = 0;                   // Roundoff of the heights, for a direction of unit size; metres.
+  std::vector<Links> links_;         // Links of each vertex.
   std::vector<Neighbour> neighbours_;
   /// For directions of each cell a vertex from which the walk is short.
   CubeMap<S> cells_{0};

@@ -39,14 +39,14 @@ class PointArrays {
   /// A point of largest <direction, x>; some point if the direction is NaN. The same one on every processor.
   VertexId Farthest(const Vector3<S>& direction) const { return Farthest(coordinates_.data(), padded_, direction); }
 
-  /// Of each of the three arrays.
+  /// Length of each of the three arrays.
   std::size_t PaddedSize() const { return padded_; }
   /// The points less `center`, times `matrix`, in the same order.
   /// @param placed  Out: three arrays of PaddedSize() each, one after the other.
   void PlaceInto(S* placed, const Vector3<S>& center, const Matrix3<S>& matrix) const {
     vertex_scan::Place(coordinates_.data(), padded_, center.data(), matrix.data(), placed);
   }
-  /// Of points that have been placed.
+  /// The same among points that have been placed.
   static VertexId Farthest(const S* placed, std::size_t padded, const Vector3<S>& direction) {
     return vertex_scan::Farthest(placed, padded, direction.x(), direction.y(), direction.z());
   }

@@ -15,7 +15,7 @@ namespace dgd::solver_internal {
 /// A point of the hull of a ball about the origin and of another point, as their convex combination.
 template <class S, int L>
 struct BallHullPoint {
-  S share;              ///< Of the other point.
+  S share;              ///< Share of the other point.
   Vector<S, L> inside;  ///< The rest: the ball's point times its share.
 };
 

@@ -22,7 +22,7 @@ struct FeatureExit {
   S height = -1;  // Below any real one: no exit found.
   Vector<S, L> normal = Vector<S, L>::Unit(L - 1);
   Vector<S, L> direction = Vector<S, L>::Unit(L - 1);  // The normal's, of any length: known before that is.
-  std::array<S, L> weights{};                          // Of the feature's points, convex.
+  std::array<S, L> weights{};                          // Convex weights of the feature's points.
   int size = 0;
   bool is_rough = false;  // The feature's point may be off the ray by more than the weights' last digits.
 };
@@ -43,8 +43,8 @@ void SetTriangleHeight(S a, S b, S c, FeatureExit<S, 3>& exit) {
   exit.size = 3;
 }
 
-/// As FacetExit(), for slivers and for rays along a border: the basis changes there by the last digits, and all
-/// triangles on an edge must agree about the side of it on which the ray is.
+/// The same as FacetExit(), for slivers and for rays along a border: the basis changes there by the last digits, and
+/// all triangles on an edge must agree about the side of it on which the ray is.
 /// @param corner_error  How far the corners may be off across the ray, metres: where that is not 0, several triangles
 ///                      may claim the ray.
 template <class S>

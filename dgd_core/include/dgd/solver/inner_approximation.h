@@ -44,7 +44,7 @@
 namespace dgd {
 
 namespace solver_internal {
-/// Of 120 degrees; the cosine is -1/2.
+/// Sine of 120 degrees; the cosine is -1/2.
 template <class S>
 inline constexpr S kSineOfThirdTurn = S(0.86602540378443865);
 }  // namespace solver_internal
@@ -170,7 +170,7 @@ class InnerApproximation : public solver_internal::InnerBasis<S, L> {
   /// Steep features magnify the roundoff of their points to heights that are off by less than this part.
   static constexpr S kCeilingSlack = sizeof(S) == 8 ? 4 * kSqrtEpsilon<S> : kSqrtEpsilon<S> / 16;
 
-  /// What heights may reach, roundoff included.
+  /// Height that none may be above, roundoff included.
   S Ceiling() const { return ceiling_ + kCeilingSlack * ceiling_; }
 
   /// @param added  The candidate's last point.
@@ -178,7 +178,7 @@ class InnerApproximation : public solver_internal::InnerBasis<S, L> {
     return candidate.height <= Ceiling() || IsBelowCeilingButForSlope(candidate, added);
   }
 
-  /// Of needles the flattest feature there is may be so steep that no height is nearer to the ceiling: then its plane
+  /// The flattest feature of a needle may be so steep that no height is nearer to the ceiling: then its plane
   /// must pass the ceiling's point on the ray within the last digit of its points.
   DGD_COLD bool IsBelowCeilingButForSlope(const Candidate& candidate, const Point& added) const {
     return (candidate.height - ceiling_) * candidate.normal[L - 1] <= kEpsilon<S> * Reach(added);
@@ -196,7 +196,7 @@ class InnerApproximation : public solver_internal::InnerBasis<S, L> {
     }
   }
 
-  /// Of the added point and the basis points but `dropped`.
+  /// Exit by the facet of the added point and the basis points but `dropped`.
   bool FacetExit(int dropped, const Point& added, Candidate& candidate) const {
     if constexpr (L == 2) {
       candidate.kept = {1 - dropped};
@@ -229,7 +229,7 @@ class InnerApproximation : public solver_internal::InnerBasis<S, L> {
     return InsertWithRadiusAmongAll(added);
   }
 
-  /// Of all features that have the added point, the highest. Not inlined: the rarer way, and long.
+  /// The highest of all features that have the added point. Not inlined: the rarer way, and long.
   DGD_NOINLINE bool InsertWithRadiusAmongAll(const DifferencePoint<S, L>& added) {
     const Point& w = added.point;
     Candidate best, candidate;

@@ -24,7 +24,7 @@ class InnerBasis {
  public:
   using Point = Vector<S, L>;
 
-  /// For the last basis of a query: moves the weights to where their point is nearest to the exit. Where the ray meets
+  /// Moves the weights of a query's last basis to where their point is nearest to the exit. Where the ray meets
   /// an edge, the basis turns about that from steep facets to flatter ones, and the height that the steepest one gave
   /// stays: at a slope of 0.01 a roundoff error across the ray is a hundred of it in the height. The point is then that
   /// much below the exit, but not that far from the plane. Test: InnerApproximation.MoveToExit_*.
@@ -61,7 +61,7 @@ class InnerBasis {
 
  protected:
   struct Candidate : FeatureExit<S, L> {
-    std::array<int, L - 1> kept{};  // Which basis points its feature has; the added point comes last.
+    std::array<int, L - 1> kept{};  // The basis points that its feature has; the added point comes last.
   };
 
   template <class Part>
@@ -73,7 +73,7 @@ class InnerBasis {
 
   const Point& PointOf(int i) const { return points_[static_cast<std::size_t>(i)].point; }
 
-  /// Of the feature's point, moved by the ball, from the exit at the height, metres.
+  /// Offset of the feature's point, moved by the ball, from the exit at the height; metres.
   Point OffExit(const std::array<S, L>& weights) const {
     Point sum = convex_radius_ * normal_ - height_ * Point::Unit(L - 1);
     for (std::size_t i = 0; i < static_cast<std::size_t>(size_); ++i) sum += weights[i] * points_[i].point;
@@ -122,8 +122,8 @@ class InnerBasis {
     return true;
   }
 
-  /// As Replace(), for a facet of FacetExit(): the added point takes the dropped one's place, and the kept ones stay,
-  /// which puts the three in the same order about the ray.
+  /// The same as Replace(), for a facet of FacetExit(): the added point takes the dropped one's place, and the kept
+  /// ones stay, which puts the three in the same order about the ray.
   bool ReplaceOne(const Candidate& candidate, int dropped, const DifferencePoint<S, L>& added) {
     if (!IsHighEnough(candidate, added.point)) return false;
     points_[static_cast<std::size_t>(dropped)] = added;

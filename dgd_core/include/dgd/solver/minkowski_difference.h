@@ -66,8 +66,8 @@ SquareMatrix<S, 2> FrameAlong(const Vector2<S>& axis) {
   return frame;
 }
 
-/// Whether a pair is of a size that the scalar can compute with: see kLeastSize. Not its extent, which nobody has asked
-/// for, but the middle between its inradii and its distance, if that is larger: sheets and needles may be thinner.
+/// Whether a pair is of a size that the scalar can compute with: see kLeastSize. Not its extent, which is not known,
+/// but the middle between its inradii and its distance, if that is larger: sheets and needles may be thinner.
 /// @param length, inradius  The distance of the centres, and the sum of the inradii; metres. Flat sets, whose inradius
 ///                          is 0, are in range.
 template <class S>
@@ -104,11 +104,11 @@ class MinkowskiDifference {
 
   /// Points can be found again by the features that gave them.
   static constexpr bool kHasFeatures = FeatureCore<typename Set1::Core> && FeatureCore<typename Set2::Core>;
-  /// ... and move with the direction.
+  /// Points can be found again, and move with the direction.
   static constexpr bool kIsSmooth =
       kHasFeatures && (SmoothCore<typename Set1::Core> || SmoothCore<typename Set2::Core>);
 
-  /// A polytope, but for the radius.
+  /// The difference is a polytope, but for the radius.
   static constexpr bool kIsPolytope = kHasFeatures && !kIsSmooth;
   /// Some points are the rims of flat discs.
   static constexpr bool kHasFaces =
@@ -150,18 +150,18 @@ class MinkowskiDifference {
   S Inradius() const { return inradius_; }
   /// The part of Inradius() that set 1 contributes.
   S Inradius1() const { return set_1_.core.Inradius() + set_1_.radius; }
-  /// As dgd::HasCertainInterior(), which is what the inradius alone does not tell.
+  /// The same as dgd::HasCertainInterior(), which does not follow from the inradius alone.
   /// @param support  Any support point.
   bool HasCertainInterior(const Feature& support) const {
     return dgd::HasCertainInterior(set_1_, set_2_, support.on_1, Point(support.on_1 - support.point));
   }
-  /// As Inradius(), of the difference that the support points are of: without the ball that is kept apart.
+  /// Inradius of the difference that the support points are of: without the ball that is kept apart.
   S InradiusOfPoints() const { return InradiusOfPoints1() + set_2_.core.Inradius() + inflation_2_; }
   /// The part of InradiusOfPoints() that set 1 contributes.
   S InradiusOfPoints1() const { return set_1_.core.Inradius() + inflation_1_; }
-  /// A guess at the normal by which the ray leaves: of the ellipsoid whose matrix is the sum of the cores' spreads, and
-  /// of the radii squared. That of a p for a matrix M is M^-1 p: here, along M's last row of cofactors. Ray frame, unit
-  /// length, not downwards.
+  /// A guess at the normal by which the ray leaves: that of the ellipsoid whose matrix is the sum of the cores'
+  /// spreads, and of the radii squared. That of a p for a matrix M is M^-1 p: here, along M's last row of cofactors.
+  /// Ray frame, unit length, not downwards.
   Point EllipsoidGuess() const requires(L == 3) {
     const S radius = set_1_.radius + set_2_.radius;
     Eigen::Matrix<S, 3, 2> columns = radius * radius * Eigen::Matrix<S, 3, 2>::Identity();
@@ -221,7 +221,7 @@ class MinkowskiDifference {
     return OnFeaturesAlong(FeatureAlong(set_1_.core, direction_1, hint_1),
                            FeatureAlong(set_2_.core, direction_2, hint_2), direction, direction_1, direction_2);
   }
-  /// As above, of two features.
+  /// The same of two features.
   DGD_FLATTEN DGD_NOINLINE CurvedDifferencePoint<S, L> OnFeatures(FeatureId feature_1, FeatureId feature_2,
                                                                   const Point& direction) const requires kIsSmooth {
     return OnFeaturesAlong(feature_1, feature_2, direction, to_frame_1_.transpose() * direction,
@@ -253,12 +253,13 @@ class MinkowskiDifference {
   FlatDisc<S> Face2(FeatureId feature) const requires(L == 3) {
     return FaceOf(set_2_.core, core_center_2_, to_frame_2_, feature, -1);
   }
-  /// The sets' radii, metres.
+  /// Radii of the sets, metres.
   S Radius1() const { return set_1_.radius; }
   S Radius2() const { return set_2_.radius; }
 
   Point DirectionToFrame(const Point& direction_1) const { return to_frame_1_ * direction_1; }
-  /// Of unit length also where a rotation is not quite orthonormal, as one from an engine that works in float.
+  /// Normal in the frame of set 1, of unit length also where a rotation is not quite orthonormal, as one from an engine
+  /// that works in float.
   Point NormalOfSet1(const Point& direction) const { return (to_frame_1_.transpose() * direction).normalized(); }
   Point DirectionToWorld(const Point& direction) const { return frame_ * direction; }
   Point DirectionFromWorld(const Point& direction) const { return frame_.transpose() * direction; }
@@ -302,7 +303,7 @@ class MinkowskiDifference {
     }
   }
 
-  /// Of the support point. Where there is but one, nobody is asked.
+  /// The feature of the support point. Where there is but one, nothing is evaluated.
   template <FeatureCore Core>
   static FeatureId FeatureAlong(const Core& core, const Point& direction, FeatureId hint) {
     if constexpr (SmoothCore<Core>) {
@@ -388,8 +389,8 @@ class MinkowskiDifference {
 
   const Set1& set_1_;
   const Set2& set_2_;
-  Point core_center_1_, core_center_2_;  // In the cores' frames.
-  Point center_1_, center_2_;            // In the world.
+  Point core_center_1_, core_center_2_;  // Centres in the cores' frames.
+  Point center_1_, center_2_;            // Centres in the world.
   Matrix frame_;                         // Ray frame to world.
   Matrix to_frame_1_, to_frame_2_;       // Cores' frames to the ray frame.
   S length_, inradius_, convex_radius_, inflation_1_, inflation_2_;

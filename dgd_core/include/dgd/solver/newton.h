@@ -77,7 +77,7 @@ class NewtonSearch {
   /// What the steps have proven.
   const NewtonBounds& Bounds() const { return bounds_; }
   int Iterations() const { return iterations_; }
-  /// A pair that is apart remembers its normal only, and where to look first.
+  /// Leaves a state. That of a pair that is apart has the normal only, and where to look first.
   void Remember(Status status, WarmStart<S, L>& warm_start) const {
     warm_start.normal_1 = difference_.NormalOfSet1(bounds_.OuterDirection());
     warm_start.size = 0;
@@ -111,7 +111,7 @@ class NewtonSearch {
   /// What roundoff may take from a height near the minimum, where steps still bring the points nearer to the ray.
   static constexpr S kHeightSlack = 4 * kEpsilon<S>;
 
-  /// Null if there is none.
+  /// Finds the piece of these features; null if there is none.
   Piece* FindPiece(const Feature& features, bool is_fixed) {
     const auto end = pieces_.begin() + size_;
     const auto found = std::find_if(pieces_.begin(), end, [&](const Piece& piece) {
@@ -180,7 +180,7 @@ class NewtonSearch {
     if (size_ == 1) bounds_.RaiseInner(highest_.support.point, highest_.support.on_1);
   }
 
-  /// What a step that went too far has met: a new piece, or of one that takes part already, its plane there.
+  /// Adds what a step that went too far has met: a new piece, or the plane there of one that takes part already.
   /// @return false if there is no place for it.
   bool AddPiece() {
     overshoots_ = FindPiece(highest_.support, false) != nullptr;
@@ -223,8 +223,8 @@ class NewtonSearch {
     return true;
   }
 
-  /// As far as a lower plane may be: C's is not below that of the ball about the origin in C, which meets the ray at
-  /// the inradius times |(u, 1)|. Without it, a first step of 35 was seen, for a cone and a box.
+  /// Shortens a step to where a lower plane may be: C's is not below that of the ball about the origin in C, which
+  /// meets the ray at the inradius times |(u, 1)|. Without it, a first step of 35 was seen, for a cone and a box.
   Across WithinReach(const Across& step) const {
     constexpr S kPart = S(0.9);  // All the way only a ball has a plane as low.
     const Across from = direction_.template head<L - 1>();
@@ -235,7 +235,7 @@ class NewtonSearch {
     return c < 0 ? Across((std::sqrt(b * b - a * c) - b) / a * step) : step;
   }
 
-  /// Where a step fails, or overshoots the pieces that it is for, a flat face may be between. Each is tried once.
+  /// Tries the flat faces that may be between where a step fails, or overshoots the pieces that it is for; each once.
   template <class Observer>
   std::optional<Status> TryFaces([[maybe_unused]] QueryMode mode, [[maybe_unused]] Observer& observer) {
     if constexpr (Difference::kHasFaces) {
@@ -254,7 +254,7 @@ class NewtonSearch {
     }
     return std::nullopt;
   }
-  /// Of faces that share a bit, one is tried; the shapes have two at most.
+  /// Bit of a face. Of those that share one, one face is tried; the shapes have two at most.
   static std::uint32_t FaceBit(FeatureId face) { return std::uint32_t{1} << face % 32; }
   bool HasTried(std::size_t set, FeatureId face) const { return (tried_faces_[set] & FaceBit(face)) != 0; }
 
@@ -274,7 +274,8 @@ class NewtonSearch {
     return true;
   }
 
-  /// By the points of the last step's pieces: of those on either side of the ray, the combination nearest to it.
+  /// Raises the inner bound by the points of the last step's pieces: by the combination of those on either side of the
+  /// ray that is nearest to it.
   void BoundByActive() {
     std::array<const Feature*, L> points{};
     std::size_t count = 0;

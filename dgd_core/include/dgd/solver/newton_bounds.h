@@ -27,12 +27,12 @@ class NewtonBounds {
         inner_(difference.Inradius()),
         inner_on_1_(difference.Inradius1() * Point::Unit(L - 1)) {}
 
-  /// At most the upper one, also where roundoff puts the two heights in the wrong order.
+  /// Lower bound; at most the upper one, also where roundoff puts the two heights in the wrong order.
   S LowerBound() const { return difference_.CenterDistance() / std::max(outer_, inner_); }
   S UpperBound() const { return difference_.CenterDistance() / inner_; }
-  /// Of the lowest supporting plane so far; ray frame, unit length.
+  /// Normal of the lowest supporting plane so far; ray frame, unit length.
   Point NormalInFrame() const { return outer_direction_.normalized(); }
-  /// World.
+  /// The same in the world.
   Point Normal() const { return difference_.DirectionToWorld(NormalInFrame()); }
   /// Distance of the supporting planes along the normal, metres.
   S Separation() const { return (difference_.CenterDistance() - outer_) / outer_direction_.norm(); }

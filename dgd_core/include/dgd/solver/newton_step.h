@@ -96,7 +96,7 @@ class NewtonStepModel {
     Across gradient;
     S height = 0;
     bool is_plane = false;
-    Matrix derivative;  ///< Of the gradient.
+    Matrix derivative;  ///< Derivative of the gradient.
     Matrix hessian;     ///< What the model takes for that.
   };
   /// Pieces that are taken to be equally high, and their multipliers.

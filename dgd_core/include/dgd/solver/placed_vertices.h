@@ -13,7 +13,7 @@
 
 namespace dgd::solver_internal {
 
-/// Of the Minkowski difference about its centre.
+/// Vertices of the two cores, as they take part in the Minkowski difference about its centre.
 template <class S>
 class PlacedVertices {
  public:
@@ -50,8 +50,8 @@ class PlacedVertices {
   static constexpr std::size_t kCapacity = kMostScannedVertices;
   static_assert(kCapacity % Points::kBlock == 0);
 
-  std::size_t padded_1_ = 0, padded_2_ = 0;   // Of each coordinate.
-  std::array<S, 3 * kCapacity> of_1_, of_2_;  // Of set 2 negated.
+  std::size_t padded_1_ = 0, padded_2_ = 0;   // Length of each coordinate's array.
+  std::array<S, 3 * kCapacity> of_1_, of_2_;  // Those of set 2 are negated.
 };
 
 }  // namespace dgd::solver_internal

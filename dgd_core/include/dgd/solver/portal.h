@@ -61,7 +61,7 @@ struct Portal {
     return moved;
   }
 
-  /// Of the triangles that the new corner makes with two of the old ones, takes the one that the ray passes through.
+  /// Takes the one of the triangles that the new corner makes with two of the old ones that the ray passes through.
   /// With a radius they are moved by that along the last normal, which is not quite their own: where the ray passes
   /// beside the old one, the new corner takes the place of the one across from there.
   /// @return false, and the corners as they were, where roundoff leaves none.
@@ -177,7 +177,7 @@ struct Portal {
     return length_sq > share * share * longest_sq * longest_sq;
   }
 
-  /// Where the ray leaves, less the radius, from the first corner.
+  /// Point where the ray leaves, less the radius, from the first corner.
   Point ExitFromFirst() const { return exit_height / along * ray - radius / length * normal - corners[0].point; }
 
   /// @param way  On the plane.
@@ -187,8 +187,8 @@ struct Portal {
     weights[0] = 1 - weights[1] - weights[2];
   }
 
-  /// Of a thin triangle, the products above leave the corners' point by their weights away from where the ray leaves,
-  /// by more than the corners' own roundoff: what is left between the two is taken back.
+  /// Corrects the weights of a thin triangle. The products above leave the corners' point by their weights away from
+  /// where the ray leaves, by more than the corners' own roundoff: what is left between the two is taken back.
   void Refine() {
     const Point left = ExitFromFirst() - weights[1] * side_1 - weights[2] * side_2;
     const S above = normal.dot(left);

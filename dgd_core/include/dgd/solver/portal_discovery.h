@@ -1,8 +1,8 @@
 // How portal refinement begins where nothing is known of a pair: three corners that the ray passes between, far out.
 //
-// In the ball about the centre that is inside the cores' difference (Alg. 1), and then from three directions about the
-// ray. Two of them and the ball may already decide a collision check. For large hulls no support function is evaluated
-// while points that are looked up (GuessingCore) are above the triangle.
+// They begin in the ball about the centre that is inside the cores' difference (Alg. 1), and then come from three
+// directions about the ray. Two of them and the ball may already decide a collision check. For large hulls no support
+// function is evaluated while points that are looked up (GuessingCore) are above the triangle.
 #pragma once
 
 #include <algorithm>
@@ -77,12 +77,12 @@ class PortalDiscovery {
     return true;
   }
 
-  /// Along the ray, and then twice tilted to the far side of the ray from what was found: by more where that was far
-  /// away. With three corners near the ray, hulls of 14, 32, 241 and 2000 vertices take 3, 9, 19 and 20 % fewer
+  /// Searches along the ray, and then twice tilted to the far side of the ray from what was found: by more where that
+  /// was far away. With three corners near the ray, hulls of 14, 32, 241 and 2000 vertices take 3, 9, 19 and 20 % fewer
   /// directions than with normals from the ball on; with a spread of 1.2 or 2 up to 6 % more than with this one.
   /// @tparam kGuess    Whether corners are looked up, or support points.
   /// @tparam kIsCheck  Whether a common point is enough.
-  /// @param first      Along the ray.
+  /// @param first      The corner along the ray.
   /// @return false where roundoff leaves no triangle about the ray.
   template <bool kGuess, bool kIsCheck>
   bool DiscoverPortal(const Point& axis, const Corner& first) {
@@ -97,7 +97,7 @@ class PortalDiscovery {
     };
     const S height = axis.dot(first.point);
     const Point lateral = first.point - height * axis;
-    // Of skewed sets, what is farthest along the ray is far from it, and so is what is found like that.
+    // The point of skewed sets that is farthest along the ray is far from it, and so is what is found like that.
     if (lateral.squaredNorm() > kNearSq * height * height) return portal_.template RefinePortal<false>(first);
     const Corner second = along(height * axis - kSpread * lateral);
     if (kIsCheck && !wants_corners_ && height * height > kWellInside * kWellInside * portal_.ray.squaredNorm() &&

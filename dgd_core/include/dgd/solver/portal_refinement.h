@@ -69,7 +69,7 @@ class PortalRefinement {
   bool SolveWarm(const Settings<S>& settings, WarmStart<S>& state, Result<S>& result) {
     return RunWarm(settings, IsLimited(settings) ? EarlyOut::kApart : EarlyOut::kNever, state, result);
   }
-  /// @param state  Out, if there is one.
+  /// @param state  Out, or null.
   bool SolveCold(const Settings<S>& settings, WarmStart<S>* state, Result<S>& result) {
     return Report(IsLimited(settings) ? RunCold<EarlyOut::kApart>(settings) : RunCold<EarlyOut::kNever>(settings),
                   settings, state, result);
@@ -94,13 +94,13 @@ class PortalRefinement {
   /// What ends a refinement before the ray leaves the difference.
   enum class EarlyOut {
     kNever,
-    kApart,   ///< Where a plane separates the sets by more than the limit.
-    kDecided  ///< Of a check: where one separates them, or the ray ends below the corners.
+    kApart,   ///< A plane separates the sets by more than the limit.
+    kDecided  ///< A check is decided: a plane separates them, or the ray ends below the corners.
   };
   /// How it ended.
   enum class Termination {
     kExit,    ///< The ray leaves by these corners.
-    kApart,   ///< By `apart_` along the last normal.
+    kApart,   ///< The sets are apart by `apart_` along the last normal.
     kCommon,  ///< The ray ends below the corners, or at the common point.
     kNone     ///< Not solved: the rest is left to RayIntersection.
   };
@@ -148,7 +148,7 @@ class PortalRefinement {
     return RefineToSurface<kEarlyOut>(settings, kMaxColdSteps);
   }
 
-  /// From corners that the ray may pass outside of.
+  /// Refines from corners that the ray may pass outside of.
   template <EarlyOut kEarlyOut>
   Termination RunFromPortal(const Settings<S>& settings) {
     portal_.FindPlane();
@@ -166,7 +166,7 @@ class PortalRefinement {
     return RefineToSurface<kEarlyOut>(settings, kMaxWarmSteps);
   }
 
-  /// From a triangle that the ray passes outside of to one that it passes through.
+  /// Goes from a triangle that the ray passes outside of to one that it passes through.
   /// @param exit_edge  Result of FindExitEdge().
   bool WalkToRay(int exit_edge) {
     for (;;) {
@@ -194,7 +194,7 @@ class PortalRefinement {
     return Refine<kEarlyOut, true>(settings, most_iterations);
   }
 
-  /// From corners that the ray passes between, and their normal.
+  /// Refines from corners that the ray passes between, and their normal.
   template <EarlyOut kEarlyOut, bool kHasRadius>
   Termination Refine(const Settings<S>& settings, int most_iterations) {
     for (;;) {
@@ -234,8 +234,8 @@ class PortalRefinement {
     return Termination::kApart;
   }
 
-  /// With a radius, where the ray does not leave by the facet: by the cylinder about the edge that it passes beyond.
-  /// Rarer, and long.
+  /// Leaves by the cylinder about the edge that the ray passes beyond, with a radius, where the facet is not the exit.
+  /// Not inlined: the rarer way, and long.
   /// @return nothing if there is a corner beyond the edge, which takes part now.
   template <EarlyOut kEarlyOut>
   DGD_FLATTEN DGD_NOINLINE std::optional<Termination> LeaveByEdge(const Settings<S>& settings) {
@@ -281,7 +281,7 @@ class PortalRefinement {
     return !ended_at_thin_facet_ && support_.HasInterior(portal_.corners[0]);
   }
   /// Not inlined: with its registers, a refinement takes a tenth longer.
-  /// @param state  Out, if there is one.
+  /// @param state  Out, or null.
   DGD_NOINLINE bool Report(Termination end, const Settings<S>& settings, WarmStart<S>* state, Result<S>& result) {
     result.iterations = support_.iterations;
     if (end == Termination::kApart) {
@@ -290,7 +290,7 @@ class PortalRefinement {
       result.normal = portal_.normal / portal_.length;
       result.separation = apart_ / portal_.length;
       result.lower_bound = along / (along - apart_);
-      // Of the balls about the centres.
+      // The balls about the centres bound it.
       const S length = portal_.ray.norm();
       const S inradius_1 = support_.Inradius1(), inradius_2 = support_.Inradius2();
       result.upper_bound = std::max(result.lower_bound, length / (inradius_1 + inradius_2));
@@ -337,7 +337,8 @@ class PortalRefinement {
     return true;
   }
 
-  /// A pair that is apart remembers its normal only: the next query tries that first, and needs no basis then.
+  /// Leaves a state. That of a pair that is apart has the normal only: the next query tries that first, and needs no
+  /// basis then.
   void Remember(Status status, const Point& normal, WarmStart<S>& state) const {
     portal_.Leave(state);
     DGD_ASSERT(IsUnitOrNan(normal) && (status == Status::kSeparated || portal_.HasVertices()));

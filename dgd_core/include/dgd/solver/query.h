@@ -34,7 +34,7 @@ struct SupportingPlanes {
   using Support = SupportPoint<S, kDimension<typename Set::Core>>;
 
   Point normal;                  ///< World, unit length, from set 1 to set 2.
-  Support support_1, support_2;  ///< Of the cores, in their frames.
+  Support support_1, support_2;  ///< Support points of the cores, in their frames.
   S separation;                  ///< Metres, negative for overlap.
 };
 
@@ -354,7 +354,7 @@ CollisionResultOf<Set1> DetectCollision(const Set1& set_1, const PoseOf<Set1>& p
   const NoObserver observer;
   result.iterations = settings.max_iterations - remaining.max_iterations;
   SolveInRayFrame(QueryMode::kCollision, set_1, pose_1, set_2, pose_2, remaining, warm_start, observer, result);
-  if (!IsFinite(result)) result.status = Status::kInvalidInput;  // As above.
+  if (!IsFinite(result)) result.status = Status::kInvalidInput;  // A support function gave such a value, as above.
   return result;
 }
 

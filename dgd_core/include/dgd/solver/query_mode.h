@@ -1,4 +1,4 @@
-// What is asked of two sets.
+// The kinds of queries of two sets.
 #pragma once
 
 namespace dgd {

@@ -26,7 +26,7 @@ class RayIntersection {
   RayIntersection(const Difference& difference, const Settings<S>& settings)
       : difference_(difference), settings_(settings), inner_(Start()) {}
 
-  /// Of a valid difference.
+  /// Solves the query of a valid difference.
   /// @param observer  Called with an Iterate after each iteration.
   template <class Observer>
   Status Solve(QueryMode mode, WarmStart<S, L>* warm_start, Observer& observer) {
@@ -40,12 +40,12 @@ class RayIntersection {
   }
 
   int Iterations() const { return iterations_; }
-  /// At most the upper one, also where roundoff puts the two heights in the wrong order.
+  /// Lower bound; at most the upper one, also where roundoff puts the two heights in the wrong order.
   S LowerBound() const {
     return coincident_ ? S(0) : difference_.CenterDistance() / std::max(outer_.Height(), Inner().Height());
   }
   S UpperBound() const { return coincident_ ? S(0) : difference_.CenterDistance() / Inner().Height(); }
-  /// Of the lowest supporting plane so far; ray frame, unit length.
+  /// Normal of the lowest supporting plane so far; ray frame, unit length.
   const Point& NormalInFrame() const { return outer_.Normal(); }
   /// World.
   Point Normal() const { return difference_.DirectionToWorld(outer_.Normal()); }
@@ -113,7 +113,7 @@ class RayIntersection {
     }
   }
 
-  /// That of the inner approximation, or half way to it.
+  /// The normal of the inner approximation, or half way to it.
   Point NextNormal([[maybe_unused]] S last_outer, [[maybe_unused]] S last_inner) {
     if constexpr (!Difference::kIsPolytope) {
       const bool is_slow = outer_.Height() - inner_.Height() > kSlow * (last_outer - last_inner);
@@ -283,8 +283,8 @@ class RayIntersection {
   InnerApproximation<S, L> reached_;  // Before a restart.
   OuterApproximation<S, L> outer_;
   SupportPool<S, L> pool_;
-  Feature support_;                                      // Of the last direction.
-  FeatureId hint_1_ = kNoFeature, hint_2_ = kNoFeature;  // For the first one, from the last query.
+  Feature support_;                                      // Support point of the last direction.
+  FeatureId hint_1_ = kNoFeature, hint_2_ = kNoFeature;  // Hints for the first one, from the last query.
   int iterations_ = 0;
   bool coincident_ = false;
   bool has_restarted_ = false;

@@ -80,10 +80,10 @@ struct SimplexStep {
   std::size_t outgoing;      // The corner that the new point replaces; it lies below the new triangle if certain.
   std::size_t next, last;    // The other two: the new point, these, counterclockwise.
   std::array<S, 3> weights;  // Convex, of the new point, `next`, `last`.
-  S height;                  // Where the ray passes the moved triangle, metres.
+  S height;                  // Height at which the ray passes the moved triangle, metres.
   Vector3<S> normal;         // Unit length, upwards.
   Vector3<S> direction;      // The normal's, of any length: known before that is.
-  bool is_certain;           // That the ray passes inside the border, that the triangle is no sliver and not steep.
+  bool is_certain;           // The ray passes inside the border, and the triangle is no sliver and not steep.
 };
 
 }  // namespace dgd::solver_internal

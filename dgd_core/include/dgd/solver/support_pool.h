@@ -31,7 +31,8 @@ class SupportPool {
  public:
   using Point = Vector<S, L>;
 
-  /// Of older points the oldest is forgotten: four cost meshes 5 % more directions, twelve save 1 %.
+  /// Number of points that are kept, beyond which the oldest is forgotten: four cost meshes 5 % more directions, twelve
+  /// save 1 %.
   static constexpr std::size_t kCapacity = 8;
 
   /// @param support  Of C; its parts from the two sets are what is remembered.
@@ -42,7 +43,7 @@ class SupportPool {
     if (size_ < kCapacity) ++size_;
   }
 
-  /// Of all differences of known points, the point of C farthest along a direction. At least one is known.
+  /// The point of C farthest along a direction, of all differences of known points. At least one is known.
   DifferencePoint<S, L> Farthest(const Point& direction) const {
     DGD_ASSERT(size_ > 0);
     const SupportPoint<S, L>& a = Farthest(on_1_, direction);
@@ -58,7 +59,7 @@ class SupportPool {
     S height = direction.dot(points[0].point);
     for (std::size_t i = 1; i < size_; ++i) {
       const S other = direction.dot(points[i].point);
-      // Without a branch: which one is higher is what no predictor knows.
+      // It has no branch: which one is higher is what no predictor knows.
       farthest = other > height ? i : farthest;
       height = std::max(height, other);
     }

@@ -65,10 +65,10 @@ struct EdgeArea {
     }
   }
   S value, scale;  // Square metres.
-  S length;        // Of the edge across the ray, by LateralL1(), metres.
+  S length;        // Length of the edge across the ray, by LateralL1(), metres.
 };
 
-/// As Weigh(), for slivers: one long side and little area, where plain sums and differences lose most digits.
+/// The same as Weigh(), for slivers: one long side and little area, where plain sums and differences lose most digits.
 /// @param area          Twice the triangle's seen along the ray, from its sides: the three edge areas may cancel.
 /// @param border_error  How far the border may be off, metres.
 template <class S>
@@ -171,7 +171,7 @@ struct SliverNormal {
     short_sides_sq = is_ab ? length_bc * length_ca : is_bc ? length_ca * length_ab : length_ab * length_bc;
   }
 
-  /// Of the unit normal, radians: the flatter the corner, the larger. For a sliver that has an area.
+  /// Error of the unit normal, radians: the flatter the corner, the larger. For a sliver that has an area.
   S Error() const { return kWeightSlack<S> * std::sqrt(short_sides_sq / cross.squaredNorm()); }
 
   Vector3<S> cross;  // As long as twice the sliver's area.

@@ -157,8 +157,8 @@ class PlaneSweep {
 
   MovingSet<Set1> set_1_;
   MovingSet<Set2> set_2_;
-  S radius_;                    // Of both sets, less the allowed overlap.
-  Point start_, translation_;  // Of set 2's centre from set 1's.
+  S radius_;                   // Sum of both radii, less the allowed overlap.
+  Point start_, translation_;  // Motion of set 2's centre from set 1's.
   int evaluations_ = 0;
 };
 
