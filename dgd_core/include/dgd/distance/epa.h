@@ -96,7 +96,8 @@ class EpaPolytope {
   }
 
   std::array<Feature, 3> CornersOf(const Face& face) const {
-    return {points_[face.corners[0]], points_[face.corners[1]], points_[face.corners[2]]};
+    const auto corner = [&](std::size_t i) { return points_[face.corners[i]].ToFeature(); };
+    return {corner(0), corner(1), corner(2)};
   }
 
   /// Leaves the features of its points for another search: those of the first tetrahedron first, then the last ones
@@ -106,7 +107,7 @@ class EpaPolytope {
     const std::size_t left_out = size_ > room ? size_ - room : 0;
     state.size = 0;
     for (std::size_t i = 0; i < size_ - left_out; ++i) {
-      const Feature& point = points_[i < 4 ? i : i + left_out];
+      const Point& point = points_[i < 4 ? i : i + left_out];
       state.Add(point.feature_1, point.feature_2);
     }
   }
@@ -161,6 +162,16 @@ class EpaPolytope {
   }
 
  private:
+  /// A Feature without initial values, which would take longer for all points than a short search does.
+  struct Point {
+    Point() = default;
+    Point(const Feature& of) : point(of.point), on_1(of.on_1), feature_1(of.feature_1), feature_2(of.feature_2) {}
+    Feature ToFeature() const { return {point, on_1, feature_1, feature_2}; }
+
+    Vector3<S> point, on_1;
+    FeatureId feature_1, feature_2;
+  };
+
   static constexpr std::size_t kMaxPoints = 64;             // There are as many as an edge has bits.
   static constexpr std::size_t kMaxFaces = 2 * kMaxPoints;  // A closed surface has 2 n - 4.
 
@@ -285,7 +296,7 @@ class EpaPolytope {
   S roundoff_, reach_;
   S widest_sliver_ = 0;  // Width of the widest sliver that there ever was.
   std::size_t size_, face_count_ = 0, nearest_ = 0;
-  std::array<Feature, kMaxPoints> points_;
+  std::array<Point, kMaxPoints> points_;
   std::array<Face, kMaxFaces> faces_;
 };
 
