@@ -20,18 +20,16 @@ CustomSet Erase(const AnySet& set) {
   return set.Visit([](const auto& rounded) { return Erase(rounded); });
 }
 
-/// Calls query(solver, set_1, set_2, settings) with the PairSolver of the two sets. What meets a custom core is called
+/// Calls query(set_1, set_2, settings) with the sets as pair_solver.h has them. What meets a custom core is called
 /// through a function pointer, too, and the tolerance is raised to what that is accurate to.
 template <class Query>
 auto Dispatch(const AnySet& set_1, const AnySet& set_2, const Settings<double>& settings, const Query& query) {
   if (set_1.IsCustom() || set_2.IsCustom()) {
     Settings<double> raised = settings;
     raised.relative_tolerance = std::max({settings.relative_tolerance, set_1.Accuracy(), set_2.Accuracy()});
-    return query(PairSolver<CustomSet, CustomSet>(), Erase(set_1), Erase(set_2), raised);
+    return query(Erase(set_1), Erase(set_2), raised);
   }
-  const auto dispatch = [&]<class Set1, class Set2>(const Set1& a, const Set2& b) {
-    return query(PairSolver<Set1, Set2>(), a, b, settings);
-  };
+  const auto dispatch = [&]<class Set1, class Set2>(const Set1& a, const Set2& b) { return query(a, b, settings); };
   const PolytopeSet *polytope_1 = set_1.AsPolytope(), *polytope_2 = set_2.AsPolytope();
   const CurvedSet *curved_1 = set_1.AsCurved(), *curved_2 = set_2.AsCurved();
   if (polytope_1 != nullptr) {
@@ -45,16 +43,16 @@ auto Dispatch(const AnySet& set_1, const AnySet& set_2, const Settings<double>& 
 Result<double> GrowthDistance(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
                               const Pose<double>& pose_2, const Settings<double>& settings,
                               WarmStart<double>* warm_start) {
-  return Dispatch(set_1, set_2, settings, [&](auto solver, const auto& a, const auto& b, const auto& for_pair) {
-    return solver.GrowthDistance(a, pose_1, b, pose_2, for_pair, warm_start);
+  return Dispatch(set_1, set_2, settings, [&](const auto& a, const auto& b, const auto& for_pair) {
+    return dgd::GrowthDistance(a, pose_1, b, pose_2, for_pair, warm_start);
   });
 }
 
 CollisionResult<double> DetectCollision(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
                                         const Pose<double>& pose_2, const Settings<double>& settings,
                                         WarmStart<double>* warm_start) {
-  return Dispatch(set_1, set_2, settings, [&](auto solver, const auto& a, const auto& b, const auto& for_pair) {
-    return solver.DetectCollision(a, pose_1, b, pose_2, for_pair, warm_start);
+  return Dispatch(set_1, set_2, settings, [&](const auto& a, const auto& b, const auto& for_pair) {
+    return dgd::DetectCollision(a, pose_1, b, pose_2, for_pair, warm_start);
   });
 }
 
@@ -62,24 +60,24 @@ SignedDistanceResult<double> SignedDistance(const AnySet& set_1, const Pose<doub
                                             const Pose<double>& pose_2, const Result<double>& growth,
                                             const WarmStart<double>* warm_start, const Settings<double>& settings,
                                             WarmStart<double>* follow) {
-  return Dispatch(set_1, set_2, settings, [&](auto solver, const auto& a, const auto& b, const auto& for_pair) {
-    return solver.SignedDistance(a, pose_1, b, pose_2, growth, warm_start, for_pair, follow);
+  return Dispatch(set_1, set_2, settings, [&](const auto& a, const auto& b, const auto& for_pair) {
+    return dgd::SignedDistance(a, pose_1, b, pose_2, growth, warm_start, for_pair, follow);
   });
 }
 
 SignedDistanceResult<double> SignedDistance(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
                                             const Pose<double>& pose_2, const Settings<double>& settings,
                                             WarmStart<double>* follow) {
-  return Dispatch(set_1, set_2, settings, [&](auto solver, const auto& a, const auto& b, const auto& for_pair) {
-    return solver.SignedDistance(a, pose_1, b, pose_2, for_pair, follow);
+  return Dispatch(set_1, set_2, settings, [&](const auto& a, const auto& b, const auto& for_pair) {
+    return dgd::SignedDistance(a, pose_1, b, pose_2, for_pair, follow);
   });
 }
 
 SignedDistanceResult<double> UpdateDistance(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
                                             const Pose<double>& pose_2, const Settings<double>& settings,
                                             WarmStart<double>& state) {
-  return Dispatch(set_1, set_2, settings, [&](auto solver, const auto& a, const auto& b, const auto& for_pair) {
-    return solver.UpdateDistance(a, pose_1, b, pose_2, for_pair, state);
+  return Dispatch(set_1, set_2, settings, [&](const auto& a, const auto& b, const auto& for_pair) {
+    return dgd::UpdateDistance(a, pose_1, b, pose_2, for_pair, state);
   });
 }
 
@@ -97,8 +95,8 @@ SignedDistanceResult<double> UpdateOnReferenceFace(const AnySet& set_1, const Po
                                                    const Pose<double>& pose_2, const Settings<double>& settings,
                                                    double angular_tolerance, ReferenceSide side,
                                                    WarmStart<double>& state, FacingFaces<double>& facing) {
-  return Dispatch(set_1, set_2, settings, [&](auto solver, const auto& a, const auto& b, const auto& for_pair) {
-    return solver.UpdateOnReferenceFace(a, pose_1, b, pose_2, for_pair, angular_tolerance, side, state, facing);
+  return Dispatch(set_1, set_2, settings, [&](const auto& a, const auto& b, const auto& for_pair) {
+    return dgd::UpdateOnReferenceFace(a, pose_1, b, pose_2, for_pair, angular_tolerance, side, state, facing);
   });
 }
 

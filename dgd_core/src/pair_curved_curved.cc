@@ -1,7 +1,7 @@
-#include "pair_solver_definitions.h"
+#include "pair_solver.h"
 
 namespace dgd {
 
-template struct PairSolver<CurvedSet, CurvedSet>;
+DGD_INSTANTIATE_QUERIES(, CurvedSet, CurvedSet)
 
 }  // namespace dgd
