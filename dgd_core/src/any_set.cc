@@ -91,15 +91,6 @@ Gradient<double> SignedDistanceGradient(const AnySet& set_1, const Pose<double>&
   return SignedDistanceGradient(Erase(set_1), pose_1, Erase(set_2), pose_2, result);
 }
 
-SignedDistanceResult<double> UpdateOnReferenceFace(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
-                                                   const Pose<double>& pose_2, const Settings<double>& settings,
-                                                   double angular_tolerance, ReferenceSide side,
-                                                   WarmStart<double>& state, FacingFaces<double>& facing) {
-  return Dispatch(set_1, set_2, settings, [&](const auto& a, const auto& b, const auto& for_pair) {
-    return dgd::UpdateOnReferenceFace(a, pose_1, b, pose_2, for_pair, angular_tolerance, side, state, facing);
-  });
-}
-
 void FindFacingFaces(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2, const Pose<double>& pose_2,
                      const Result<double>& result, double angular_tolerance, FacingFaces<double>& facing) {
   facing.Clear();

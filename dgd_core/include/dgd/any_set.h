@@ -11,7 +11,6 @@
 #include <variant>
 
 #include "dgd/contact/facing_faces.h"
-#include "dgd/contact/reference_face.h"
 #include "dgd/convex_set.h"
 #include "dgd/export.h"
 #include "dgd/gradient.h"
@@ -140,13 +139,6 @@ DGD_EXPORT Gradient<double> GrowthDistanceGradient(const AnySet& set_1, const Po
 DGD_EXPORT Gradient<double> SignedDistanceGradient(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
                                                    const Pose<double>& pose_2,
                                                    const SignedDistanceResult<double>& result);
-
-/// As UpdateOnReferenceFace() of reference_face.h.
-DGD_EXPORT SignedDistanceResult<double> UpdateOnReferenceFace(const AnySet& set_1, const Pose<double>& pose_1,
-                                                              const AnySet& set_2, const Pose<double>& pose_2,
-                                                              const Settings<double>& settings,
-                                                              double angular_tolerance, ReferenceSide side,
-                                                              WarmStart<double>& state, FacingFaces<double>& facing);
 
 /// FindFacingFaces() of facing_faces.h.
 DGD_EXPORT void FindFacingFaces(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,

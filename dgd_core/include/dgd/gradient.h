@@ -178,7 +178,7 @@ requires ConvexCore<typename Set1::Core> && ConvexCore<typename Set2::Core>
 }
 
 /// Gradient of the signed distance with respect to the two poses; in space.
-/// @param result  Of SignedDistance(), UpdateDistance() or UpdateOnReferenceFace() for these sets and poses. The normal
+/// @param result  Of SignedDistance() or UpdateDistance() for these sets and poses. The normal
 ///                of sets whose cores overlap is not reported as unique: another one elsewhere may be as good, and the
 ///                distance is then the larger one of what either says. Neither is that of a result whose bounds differ
 ///                by more than the root of the scalar's epsilon times the sets' size.

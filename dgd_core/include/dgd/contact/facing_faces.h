@@ -2,7 +2,7 @@
 //
 // Seen along the normal, supporting faces are convex polygons, segments or points, and their heights are affine: over
 // each corner of the overlap the distance of the two surfaces is exact. So that is where contact points are chosen from
-// (contact_patch.h), and it may prove the normal to be that of the signed distance (reference_face.h).
+// (contact_patch.h).
 #pragma once
 
 #include <algorithm>
@@ -36,20 +36,6 @@ struct PatchFrame {
   Vector3<S> origin;  ///< World, metres.
 };
 
-/// Moves a face of a set's core out by the set's radius, and into the patch's frame.
-/// @param direction  World, unit length.
-template <class Set>
-void MoveFace(const Set& set, const Pose<typename Set::Scalar>& pose, const Vector3<typename Set::Scalar>& direction,
-              const PatchFrame<typename Set::Scalar>& frame, SupportingFace<typename Set::Scalar>& face) {
-  using S = typename Set::Scalar;
-  face.radius += set.radius;
-  const Matrix3<S> rotation = frame.axes.transpose() * pose.rotation;
-  const Vector3<S> translation = frame.axes.transpose() * (pose.translation + set.radius * direction - frame.origin);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(face.size); ++i) {
-    face.points[i] = rotation * face.points[i] + translation;
-  }
-}
-
 /// The supporting face of a posed set along a world direction, in the patch's frame and moved out by the set's radius.
 /// Not inlined: it is the same for all that a set may meet.
 /// @param face  Out; empty before.
@@ -58,8 +44,14 @@ DGD_FLATTEN DGD_NOINLINE void FindFace(const Set& set, const Pose<typename Set::
                                        const Vector3<typename Set::Scalar>& direction,
                                        const PatchFrame<typename Set::Scalar>& frame,
                                        SupportingFace<typename Set::Scalar>& face) {
+  using S = typename Set::Scalar;
   set.core.SupportFace(pose.rotation.transpose() * direction, face);
-  MoveFace(set, pose, direction, frame, face);
+  face.radius += set.radius;
+  const Matrix3<S> rotation = frame.axes.transpose() * pose.rotation;
+  const Vector3<S> translation = frame.axes.transpose() * (pose.translation + set.radius * direction - frame.origin);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(face.size); ++i) {
+    face.points[i] = rotation * face.points[i] + translation;
+  }
 }
 
 /// A corner seen along the normal: x, y across it, and the height of either surface on it.
