@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dgd/convex_hull.h"
+#include "dgd/shapes/hull_queries.h"
 #include "dgd/shapes/vertex_scan.h"
 #include "hull_facets.h"
 
@@ -113,6 +114,8 @@ std::optional<ConvexHull> HullWithoutFacets(std::span<const Vector3d> points) {
   hull.center /= static_cast<double>(hull.vertices.size());
   hull.inradius = InradiusAboutMean(hull.vertices, hull.center);
   if (!(hull.inradius > 0 && std::isfinite(hull.inradius))) return std::nullopt;
+  // Its facets decide where its centre moves to, from the first query on.
+  if (IsSmall(hull) && IsElongated(SpreadOfVertices(hull))) return std::nullopt;
   return hull;
 }
 

@@ -79,7 +79,15 @@ class AnySet {
   Vector3<double> CoreSupport(const Vector3<double>& direction) const {
     return Visit([&](const auto& set) { return set.core.Support(direction).point; });
   }
-  /// Moves the centre as near to a point as the core allows (CenteredCore); not at all for hulls and custom cores.
+  /// Whether MoveCenterNear() may move the centre.
+  bool MovesCenter() const {
+    return Visit([]<class Core>(const RoundedSet<Core>& set) {
+      if constexpr (CenteredCore<Core>) return set.core.MovesCenter();
+      return false;
+    });
+  }
+  /// Moves the centre as near to a point as the core allows (CenteredCore, SharedCenteredCore); not at all for cones,
+  /// frustums, ellipsoids, custom cores, and hulls that are neither flat nor long.
   /// @param point  Own frame, metres.
   void MoveCenterNear(const Vector3<double>& point) {
     std::visit(

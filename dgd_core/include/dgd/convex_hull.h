@@ -42,8 +42,9 @@ DGD_EXPORT ConvexHull BuildConvexHull(std::span<const Eigen::Vector3d> points);
 /// Points as a hull that has no facets yet: what support functions need, in a hundredth of the time. Its vertices are
 /// the points in their order, interior ones among them; of few points, duplicates are dropped. Its centre is their
 /// mean.
-/// @return nothing for points that are flat, or thin, or few, or not all within kMostCoordinate: BuildConvexHull() says
-///         what these are.
+/// @return nothing for points that are flat, or thin, or fewer than four, or not all within kMostCoordinate:
+///         BuildConvexHull() says what these are. Nothing either for up to kMostScannedVertices points that are flat or
+///         long as IsElongated() has it: the facets of such a hull are needed from the first query on.
 DGD_EXPORT std::optional<ConvexHull> HullWithoutFacets(std::span<const Eigen::Vector3d> points);
 
 inline bool HasFacets(const ConvexHull& hull) { return hull.dimension < 3 || !hull.normals.empty(); }

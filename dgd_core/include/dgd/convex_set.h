@@ -190,6 +190,16 @@ concept CenteredCore = ConvexCore<Core> && requires(Core& core, const VectorOf<C
   core.MoveCenterNear(point);
 };
 
+/// A core that many bodies share and whose centre may yet move for each query, if MovesCenter(): whoever holds it for
+/// the query, as OneOf does, keeps what BallNear(p) returns, the centre near to p and a lower bound on the inradius
+/// there.
+template <class Core>
+concept SharedCenteredCore = ConvexCore<Core> && requires(const Core& core, const VectorOf<Core>& point) {
+  { core.BallNear(point).center } -> std::convertible_to<VectorOf<Core>>;
+  { core.BallNear(point).radius } -> std::convertible_to<typename Core::Scalar>;
+  { core.MovesCenter() } -> std::convertible_to<bool>;
+};
+
 /// core + ball(radius). The core is held by value where it is small; use CoreReference for one that is not.
 template <ConvexCore CoreType>
 struct RoundedSet {
@@ -241,6 +251,10 @@ class CoreReference {
   bool IsLinked() const requires LinkedCore<CoreType> { return core_->IsLinked(); }
   auto Scan() const requires ScannedCore<CoreType> { return core_->Scan(); }
   decltype(auto) Spread() const requires SpreadCore<CoreType> { return core_->Spread(); }
+  bool MovesCenter() const requires SharedCenteredCore<CoreType> { return core_->MovesCenter(); }
+  auto BallNear(const VectorOf<CoreType>& point) const requires SharedCenteredCore<CoreType> {
+    return core_->BallNear(point);
+  }
   Scalar SupportValue(const VectorOf<CoreType>& direction) const { return core_->SupportValue(direction); }
   Scalar Distance(const VectorOf<CoreType>& point) const { return core_->Distance(point); }
   template <class Face>

@@ -96,12 +96,24 @@ class OneOf {
       return SpreadOf(core) * SquareMatrix<Scalar, L>::Identity();
     });
   }
-  void MoveCenterNear(const Point& point) requires(CenteredCore<Cores> || ...) {
+  /// Whether MoveCenterNear() may move the centre.
+  bool MovesCenter() const requires((CenteredCore<Cores> || SharedCenteredCore<Cores>) || ...) {
+    return Visit([]<class Core>(const Core& core) {
+      if constexpr (SharedCenteredCore<Core>) return core.MovesCenter();
+      return CenteredCore<Core>;
+    });
+  }
+  void MoveCenterNear(const Point& point) requires((CenteredCore<Cores> || SharedCenteredCore<Cores>) || ...) {
     std::visit(
         [&]<class Core>(Core& core) {
           if constexpr (CenteredCore<Core>) {
             core.MoveCenterNear(point);
             center_ = core.Center();
+          } else if constexpr (SharedCenteredCore<Core>) {
+            if (!core.MovesCenter()) return;
+            const auto ball = core.BallNear(point);
+            center_ = ball.center;
+            inradius_ = ball.radius;
           }
         },
         core_);

@@ -34,7 +34,8 @@ class Polytope {
         scan_(climb_.IsEmpty() ? hull_.vertices : Vertices()),
         center_(hull_.center.template cast<S>()),
         inradius_(InradiusOfRounded<S>(hull_)),
-        spread_(SpreadOfVertices(hull_).template cast<S>()) {}
+        spread_(SpreadOfVertices(hull_).template cast<S>()),
+        faces_(NeedsFaces() ? FacePlanesOf<S>(hull_) : Faces()) {}
 
   SupportPoint<S> Support(const Vector3<S>& direction) const { return Support(direction, kNoFeature); }
   /// @param hint  A vertex that is likely to be near, for large hulls; any number will do.
@@ -59,6 +60,12 @@ class Polytope {
   S Inradius() const { return inradius_; }
   /// See SpreadCore.
   const Matrix3<S>& Spread() const { return spread_; }
+  /// See SharedCenteredCore. Flat and long hulls move their centre if they have facets, and not too many of them.
+  bool MovesCenter() const { return !faces_.empty(); }
+  InnerBall<S> BallNear(const Vector3<S>& point) const {
+    const InnerBall<S> ball{center_, inradius_};
+    return MovesCenter() ? dgd::BallNear<S, 3>(faces_, ball, point) : ball;
+  }
 
   Vector3<S> Vertex(VertexId vertex) const {
     DGD_ASSERT(vertex < hull_.vertices.size());
@@ -92,11 +99,19 @@ class Polytope {
 
  private:
   using Vertices = std::vector<Eigen::Vector3d>;
+  using Faces = std::vector<FacePlane<S>>;
+
+  /// Of more facets, looking at all takes longer than a query.
+  static constexpr std::size_t kMostFaces = 128;
 
   static constexpr bool kMayLackFacets = std::is_same_v<S, double>;
 
   static bool MustClimb(const ConvexHull& hull) {
     return hull.dimension == 3 && HasFacets(hull) && hull.vertices.size() > kMostScanned;
+  }
+
+  bool NeedsFaces() const {
+    return inradius_ > 0 && hull_.normals.size() <= kMostFaces && IsElongated(SpreadOfVertices(hull_));
   }
 
   ConvexHull hull_;
@@ -105,6 +120,7 @@ class Polytope {
   Vector3<S> center_;
   S inradius_;
   Matrix3<S> spread_;
+  Faces faces_;  // Empty if the centre stays.
 };
 
 }  // namespace dgd
