@@ -15,9 +15,12 @@ namespace {
 using Vector3 = Eigen::Vector3d;
 using Pose = dgd::Pose<double>;
 
-dgd::Polytope<double> RandomHull(dgd_test::Random& random, int vertices) {
+/// @param thickness  Of the other two extents.
+dgd::Polytope<double> RandomHull(dgd_test::Random& random, int vertices, double thickness) {
   std::vector<Vector3> points;
-  for (int i = 0; i < vertices; ++i) points.push_back(0.5 * random.UnitVector());
+  for (int i = 0; i < vertices; ++i) {
+    points.push_back(Vector3(0.5, 0.5, 0.5 * thickness).cwiseProduct(random.UnitVector()));
+  }
   return dgd::Polytope<double>(points);
 }
 
@@ -34,10 +37,20 @@ Pose MovedALittle(dgd_test::Random& random, const Pose& pose) {
 
 constexpr int kPairs = 100, kFrames = 5;
 
-constexpr std::array kKinds = {
-    "hulls", "meshes",     "capsule-hull", "hull-cylinder",     "boxes",         "cylinders",
-    "cones", "ellipsoids", "custom-hulls", "custom-ellipsoids", "rounded-hulls", "rounded-cylinders"};
-constexpr std::array kQueries = {"growth", "warm", "check", "signed", "alone", "update", "overlap"};
+constexpr std::array kKinds = {"hulls",
+                               "meshes",
+                               "flat-hulls",
+                               "capsule-hull",
+                               "hull-cylinder",
+                               "boxes",
+                               "cylinders",
+                               "cones",
+                               "ellipsoids",
+                               "custom-hulls",
+                               "custom-ellipsoids",
+                               "rounded-hulls",
+                               "rounded-cylinders"};
+constexpr std::array kQueries = {"growth", "warm", "near", "check", "signed", "alone", "update", "overlap"};
 
 /// What the sets refer to.
 struct Cores {
@@ -45,9 +58,12 @@ struct Cores {
   dgd::Ellipsoid<double> ellipsoid{{0.2, 0.3, 0.5}};
 };
 
-Cores MakeCores(dgd_test::Random& random, bool are_meshes) {
+Cores MakeCores(dgd_test::Random& random, std::string_view kind) {
   Cores cores;
-  for (int i = 0; i < kPairs; ++i) cores.hulls.push_back(RandomHull(random, are_meshes ? 500 : 8 + i % 13));
+  const double thickness = kind == "flat-hulls" ? 0.1 : 1;
+  for (int i = 0; i < kPairs; ++i) {
+    cores.hulls.push_back(RandomHull(random, kind == "meshes" ? 500 : 8 + i % 13, thickness));
+  }
   return cores;
 }
 
@@ -80,6 +96,17 @@ double RandomDistance(dgd_test::Random& random, std::string_view query) {
   return query == "check" ? random.Uniform(0.3, 0.8) : random.Uniform(0.5, 1);
 }
 
+/// As the plugin does before each query, but for two long bodies.
+dgd::Result<double> GrowthDistanceNear(dgd::AnySet a, const Pose& pose_a, dgd::AnySet b, const Pose& pose_b,
+                                       dgd::WarmStart<double>& state) {
+  if (a.MovesCenter() || b.MovesCenter()) {
+    const Vector3 center_a = pose_a * a.Center(), center_b = pose_b * b.Center();
+    a.MoveCenterNear(pose_a.rotation.transpose() * (center_b - pose_a.translation));
+    b.MoveCenterNear(pose_b.rotation.transpose() * (center_a - pose_b.translation));
+  }
+  return dgd::GrowthDistance(a, pose_a, b, pose_b, {}, &state);
+}
+
 /// What callgrind counts: the queries of one pair.
 [[gnu::noinline]] void Measured(std::string_view query, const dgd::AnySet& a, const Pose& pose_a, const dgd::AnySet& b,
                                 const std::vector<Pose>& frames) {
@@ -91,6 +118,8 @@ double RandomDistance(dgd_test::Random& random, std::string_view query) {
     (void)dgd::DetectCollision(a, pose_a, b, pose_b);
   } else if (query == "warm") {
     for (const Pose& pose : frames) (void)dgd::GrowthDistance(a, pose_a, b, pose, {}, &state);
+  } else if (query == "near") {
+    for (const Pose& pose : frames) (void)GrowthDistanceNear(a, pose_a, b, pose, state);
   } else if (query == "alone") {
     (void)dgd::SignedDistance(a, pose_a, b, pose_b);
   } else {
@@ -119,7 +148,7 @@ int main(int count, char** arguments) {
   }
   const std::string_view query = arguments[1], kind = arguments[2];
   dgd_test::Random random(1);
-  const Cores cores = MakeCores(random, kind == "meshes");
+  const Cores cores = MakeCores(random, kind);
   for (int i = 0; i < kPairs; ++i) {
     const dgd::AnySet a = MakeSet(random, cores, kind, i, false), b = MakeSet(random, cores, kind, i, true);
     const Pose pose_a = RandomPose(random, 0);

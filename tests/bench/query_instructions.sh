@@ -1,8 +1,8 @@
 #!/bin/sh
 # Instructions that a query takes, by callgrind: kinds of queries by kinds of pairs, means over 100 random pairs. They do
 # not depend on what else the machine does, so that two versions of the solver can be compared to the per cent. `warm` is
-# five frames, `update` and `overlap` a signed distance and five frames, apart and in overlap, and `alone` a signed
-# distance without a growth distance.
+# five frames, `near` the same about centres that are moved near each other, `update` and `overlap` a signed distance
+# and five frames, apart and in overlap, and `alone` a signed distance without a growth distance.
 #
 #   sh tests/bench/query_instructions.sh      after a build; needs valgrind
 set -eu
@@ -24,7 +24,8 @@ while read -r query kinds; do
   done
 done <<END
 growth hulls meshes capsule-hull hull-cylinder cylinders ellipsoids custom-hulls custom-ellipsoids
-warm hulls meshes cylinders
+warm hulls meshes flat-hulls cylinders
+near hulls meshes flat-hulls cylinders
 check hulls capsule-hull cones
 signed hulls boxes cylinders cones ellipsoids
 alone hulls capsule-hull cylinders cones ellipsoids
