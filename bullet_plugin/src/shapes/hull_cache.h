@@ -8,7 +8,8 @@
 // points take 70 us, as long as some hundred queries without them, and many hulls live no longer: debris, shapes of a
 // query, casts. So they are built once a hull has been queried often enough, by whichever thread does so then. Results
 // stay the same to the last bit. Above dgd::kMostScannedVertices points they change by roundoff: there only an app's
-// own queries do without facets, for a step's pairs, which threads may share, must not depend on each other.
+// own queries do without facets, for a step's pairs, which threads may share, must not depend on each other. Flat and
+// long hulls have facets from the start, which say where their centre may be (dgd::IsElongated()).
 #pragma once
 
 #include <atomic>

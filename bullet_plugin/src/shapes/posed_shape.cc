@@ -7,6 +7,12 @@
 namespace dgd_bullet {
 namespace {
 
+/// Centres of bodies that touch are so near to each other where each is straight behind the contact, as parts of the
+/// distance that the balls about them have then.
+constexpr double kMostStraight = 1.5;
+
+double InradiusOf(const dgd::AnySet& set) { return set.CoreInradius() + set.Radius(); }
+
 void MoveCenterNear(const Vector3& point, PosedShape& shape) {
   shape.set.MoveCenterNear(shape.pose.rotation.transpose() * (point - shape.pose.translation));
 }
@@ -22,10 +28,20 @@ Vector3 SupportPoint(const PosedShape& shape, const Vector3& direction) {
 }
 
 void MoveCentersTogether(PosedShape& shape_a, PosedShape& shape_b) {
+  const bool moves_a = shape_a.set.MovesCenter(), moves_b = shape_b.set.MovesCenter();
+  if (!moves_a && !moves_b) return;
   // Both from where they were, so that the order of the two does not matter.
   const Vector3 center_a = CenterOf(shape_a), center_b = CenterOf(shape_b);
-  MoveCenterNear(center_b, shape_a);
-  MoveCenterNear(center_a, shape_b);
+  if (moves_a) MoveCenterNear(center_b, shape_a);
+  if (moves_b) MoveCenterNear(center_a, shape_b);
+  if (!moves_a || !moves_b) return;
+  // Two long bodies that cross are now near each other's middle, which may be beyond where they meet: that is between.
+  const Vector3 moved_a = CenterOf(shape_a), moved_b = CenterOf(shape_b);
+  const double reach = kMostStraight * (InradiusOf(shape_a.set) + InradiusOf(shape_b.set));
+  if ((moved_b - moved_a).squaredNorm() <= reach * reach) return;
+  const Vector3 between = (moved_a + moved_b) / 2;
+  MoveCenterNear(between, shape_a);
+  MoveCenterNear(between, shape_b);
 }
 
 }  // namespace dgd_bullet
