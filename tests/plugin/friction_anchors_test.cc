@@ -121,6 +121,27 @@ TEST_F(FrictionAnchors, BoxOnMovingPlatform_RidesAlong) {
   EXPECT_NEAR(double(box.getWorldTransform().getOrigin().x()), 0.2 * (1 - std::cos(time)), 5e-3);
 }
 
+// As games do that follow a server: place and velocity are set to what another program computes. The box sticks before
+// and after. What the velocity does not explain of the way is no slip, and is not taken back.
+TEST_F(FrictionAnchors, BoxThatTheAppMovesAside_StaysWhereItIsPut) {
+  constexpr int kMoves = 20, kStepsBetween = 10;
+  constexpr double kWay = 3e-4;     // Metres; within what recycled contacts may slide.
+  constexpr double kSpeed = 0.007;  // m/s; friction stops it within the step.
+  TestWorld world(Route::kConfiguration, With(true));
+  UseTwoFrictionDirections(world);
+  world.AddGround();
+  btRigidBody& box = world.Add(world.Make<btBoxShape>(Vec(0.5, 0.5, 0.25)), 1, Vec(0, 0, 0.25));
+  box.setActivationState(DISABLE_DEACTIVATION);
+  world.Simulate(0.5);
+  const double start = double(box.getWorldTransform().getOrigin().x());
+  for (int i = 0; i < kMoves; ++i) {
+    box.getWorldTransform().getOrigin() += Vec(kWay, 0, 0);
+    box.setLinearVelocity(Vec(kSpeed, 0, 0));
+    world.Simulate(kStepsBetween * TestWorld::kTimeStep);
+  }
+  EXPECT_NEAR(double(box.getWorldTransform().getOrigin().x()) - start, kMoves * kWay, 1e-5);
+}
+
 constexpr double kBeltSpeed = 0.5;  // m/s
 
 // As Bullet's users make conveyor belts: the contact's surface moves, the body does not.
