@@ -212,6 +212,30 @@ TEST_F(ManifoldContent, PointsPersistWhileTheBodyMovesALittle) {
   }
 }
 
+// As in Bullet's own cache: a contact within the breaking threshold of where it was, on the first body, goes on with
+// its impulse; one that is farther away is new.
+TEST_F(ManifoldContent, PointThatJumpsByMoreThanTheBreakingThreshold_IsNew) {
+  for (const double part : {0.9, 1.1, 1.8}) {
+    SCOPED_TRACE(part);
+    PairQuery pair(dispatching_.dispatcher(), floor_, box_);
+    pair.SetPoses(At(0, 0, -1), At(0, 0, 0.199));
+    pair.Step();
+    pair.Step();
+    btPersistentManifold& manifold = *pair.manifold();
+    ASSERT_EQ(manifold.getNumContacts(), 4);
+    for (int i = 0; i < 4; ++i) manifold.getContactPoint(i).m_appliedImpulse = 7;
+    const double threshold = double(manifold.getContactBreakingThreshold());
+    pair.SetPoses(At(0, 0, -1), At(part * threshold, 0, 0.199));
+    pair.Step();
+    ASSERT_EQ(manifold.getNumContacts(), 4);
+    for (int i = 0; i < 4; ++i) {
+      const btManifoldPoint& point = manifold.getContactPoint(i);
+      EXPECT_EQ(point.m_appliedImpulse, part < 1 ? btScalar(7) : btScalar(0));
+      EXPECT_EQ(point.getLifeTime(), part < 1 ? 3 : 1);
+    }
+  }
+}
+
 // The order in which Bullet's contact solver goes through them: what carried more first, the nearly equal as they were.
 TEST_F(ManifoldContent, Points_GoAroundThePatchFromTheOneThatCarriedMost) {
   PairQuery pair(dispatching_.dispatcher(), box_, floor_);
