@@ -1,9 +1,11 @@
-// The speed that a rebound is to leave, against what follows from the energy of the flight.
+// The speed that a rebound is to leave, against what follows from the energy of the flight; and where bodies rebound.
 #include "conditioning/restitution.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "plugin/test_world.h"
 
 namespace dgd_test {
 namespace {
@@ -45,6 +47,35 @@ TEST(SpeedAfterImpact, Inelastic_LeavesTheSquareOfTheCoefficientOfTheEnergy) {
 
 TEST(SpeedAfterImpact, ReboundBelowTheHeightNow_IsNone) {
   EXPECT_FALSE(SpeedAfterImpact(0.2, 0.3, kGravity / 60, 0.005, 1.0 / 60).has_value());
+}
+
+bool MakeElastic(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int, const btCollisionObjectWrapper*,
+                 int, int) {
+  point.m_combinedRestitution = 1;
+  return true;
+}
+
+// Bodies whose restitution only an app's callback sets have contacts ahead of touching, as all that do not rebound.
+TEST(Rebound, GapThatTheStepDoesNotClose_IsCrossedFirst) {
+  const ContactAddedCallback before = gContactAddedCallback;
+  gContactAddedCallback = MakeElastic;
+  TestWorld world(Route::kConfiguration);
+  btRigidBody& ground = world.AddGround();
+  ground.setCollisionFlags(ground.getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+  constexpr double kSpeed = 1, kGap = 0.013;
+  btRigidBody& box = world.Add(world.Make<btBoxShape>(Vec(0.5, 0.5, 0.5)), 1, Vec(0, 0, 0.5 + kGap));
+  box.setLinearVelocity(Vec(0, 0, -kSpeed));
+  double gap = kGap;
+  for (int step = 0; step < 20 && box.getLinearVelocity().z() < 0; ++step) {
+    gap = double(box.getWorldTransform().getOrigin().z()) - 0.5;
+    world.Simulate(TestWorld::kTimeStep);
+    if (step > 0) continue;
+    EXPECT_EQ(world.Points().size(), 4U) << "within the breaking threshold";
+    for (const btManifoldPoint& point : world.Points()) EXPECT_NEAR(double(point.getDistance()), kGap, 1e-6);
+  }
+  gContactAddedCallback = before;
+  EXPECT_LE(gap, 1.2 * kSpeed * TestWorld::kTimeStep) << "rebounds ahead of the ground";
+  EXPECT_NEAR(double(box.getLinearVelocity().z()), kSpeed, 0.1);
 }
 
 }  // namespace
