@@ -28,7 +28,7 @@ constexpr double kSize = 1;  // Metres, of every shape of the zoo.
 constexpr double kRounding = 32 * double(std::numeric_limits<btScalar>::epsilon());
 /// What the solver leaves on curved shapes: its relative tolerance times their size, and the same of the squared angle
 /// that a flat optimum leaves to the normal.
-constexpr double kLength = 1e-7 + kRounding;
+constexpr double kSurface = 1e-7 + kRounding;
 /// The patch drops the witness for a corner that is as deep within this part of the contact distance, at most 2 cm
 /// here (contact_patch.h).
 constexpr double kAsDeep = 1e-3 * 0.02;
@@ -110,7 +110,7 @@ class ContactContract : public testing::TestWithParam<std::tuple<int, Route>> {
 TEST_P(ContactContract, TouchingAndOverlappingBodiesHaveAContact) {
   ForEveryPair([&](PairQuery& pair, const std::vector<Contact>& contacts) {
     const SignedDistance exact = DistanceOfShapes(pair.A(), pair.B());
-    if (exact.value <= kLength) {
+    if (exact.value <= kSurface) {
       EXPECT_FALSE(contacts.empty());
     }
   });
@@ -134,7 +134,7 @@ TEST_P(ContactContract, MovingAAlongTheNormalByTheOverlapPartsTheBodies) {
     btTransform moved = pair.body_a().getWorldTransform();
     moved.setOrigin(moved.getOrigin() + ToBullet((kClear - deepest.depth) * deepest.normal_b_to_a));
     pair.SetPoses(moved, pair.body_b().getWorldTransform());
-    EXPECT_GE(DistanceOfShapes(pair.A(), pair.B()).value, kClear - kAsDeep - kLength);
+    EXPECT_GE(DistanceOfShapes(pair.A(), pair.B()).value, kClear - kAsDeep - kSurface);
   });
 }
 
@@ -143,8 +143,8 @@ TEST_P(ContactContract, DeepestDepthIsTheDistanceOfTheSupportingPlanes) {
     if (contacts.empty()) return;
     const Contact& deepest = Deepest(contacts);
     const double separation = PlaneSeparation(pair.A(), pair.B(), deepest.normal_b_to_a);
-    EXPECT_NEAR(deepest.depth, separation, kAsDeep + kLength);
-    EXPECT_GE(deepest.depth, separation - kLength) << "claims more overlap than there is";
+    EXPECT_NEAR(deepest.depth, separation, kAsDeep + kSurface);
+    EXPECT_GE(deepest.depth, separation - kSurface) << "claims more overlap than there is";
   });
 }
 
@@ -154,9 +154,9 @@ TEST_P(ContactContract, DepthHasTheSignOfTheExactDistance) {
     const SignedDistance exact = DistanceOfShapes(pair.A(), pair.B());
     const double depth = Deepest(contacts).depth;
     // No direction parts the shapes by more than their distance.
-    EXPECT_LE(depth, exact.upper + kAsDeep + kLength);
-    if (exact.value > kAsDeep + kLength) {
-      EXPECT_GT(depth, -kLength);
+    EXPECT_LE(depth, exact.upper + kAsDeep + kSurface);
+    if (exact.value > kAsDeep + kSurface) {
+      EXPECT_GT(depth, -kSurface);
     }
   });
 }
@@ -166,7 +166,7 @@ TEST_P(ContactContract, DeepestPointIsOnTheSupportingPlaneOfB) {
     if (contacts.empty()) return;
     const Contact& deepest = Deepest(contacts);
     EXPECT_NEAR(deepest.normal_b_to_a.dot(deepest.on_b), pair.B().SupportValue(deepest.normal_b_to_a),
-                kAsDeep + 2 * kLength);
+                kAsDeep + 2 * kSurface);
   });
 }
 
@@ -175,7 +175,7 @@ TEST_P(ContactContract, DeepestPointIsOnTheSupportingPlaneOfB) {
 TEST_P(ContactContract, EveryPointIsOnB) {
   ForEveryPair([&](PairQuery& pair, const std::vector<Contact>& contacts) {
     for (const Contact& contact : contacts) {
-      EXPECT_LE(Outside(pair.B(), contact.on_b), kBeside * std::abs(contact.depth) + 4 * kLength);
+      EXPECT_LE(Outside(pair.B(), contact.on_b), kBeside * std::abs(contact.depth) + 4 * kSurface);
     }
   });
 }
@@ -184,15 +184,15 @@ TEST_P(ContactContract, EveryPointIsOnB) {
 TEST_P(ContactContract, TouchingBodiesHaveTheExactNormalAndDepth) {
   ForEveryPair([&](PairQuery& pair, const std::vector<Contact>& contacts) {
     const SignedDistance exact = DistanceOfShapes(pair.A(), pair.B());
-    if (contacts.empty() || std::abs(exact.value) > kLength) return;
+    if (contacts.empty() || std::abs(exact.value) > kSurface) return;
     const Contact& deepest = Deepest(contacts);
-    EXPECT_NEAR(deepest.depth, exact.value, kAsDeep + kLength);
+    EXPECT_NEAR(deepest.depth, exact.value, kAsDeep + kSurface);
     // Sharp corners and edges have many normals, and rounding of the pose chooses among them.
     const double margins = pair.A().Margin() + pair.B().Margin();
     if (margins < 0.02 * kSize) return;
-    EXPECT_LE((deepest.normal_b_to_a - exact.normal_b_to_a).norm(), std::sqrt(kLength / margins));
-    EXPECT_LE(std::abs(Outside(pair.A(), deepest.OnA())), kAsDeep + 4 * kLength);
-    EXPECT_LE(std::abs(Outside(pair.B(), deepest.on_b)), kAsDeep + 4 * kLength);
+    EXPECT_LE((deepest.normal_b_to_a - exact.normal_b_to_a).norm(), std::sqrt(kSurface / margins));
+    EXPECT_LE(std::abs(Outside(pair.A(), deepest.OnA())), kAsDeep + 4 * kSurface);
+    EXPECT_LE(std::abs(Outside(pair.B(), deepest.on_b)), kAsDeep + 4 * kSurface);
   });
 }
 
@@ -228,9 +228,9 @@ class ClosedForm : public testing::Test {
       const std::vector<Contact> contacts = pair.Step();
       ASSERT_FALSE(contacts.empty());
       const Contact& deepest = Deepest(contacts);
-      EXPECT_NEAR(deepest.depth, depth, kAsDeep + kLength);
+      EXPECT_NEAR(deepest.depth, depth, kAsDeep + kSurface);
       // Exact where the bodies touch, and turned by about the depth (over a length of a metre) elsewhere.
-      EXPECT_LE((deepest.normal_b_to_a - turn * normal).norm(), std::sqrt(kLength) + std::abs(depth));
+      EXPECT_LE((deepest.normal_b_to_a - turn * normal).norm(), std::sqrt(kSurface) + std::abs(depth));
       EXPECT_LE((deepest.on_b - (turn * on_b + shift)).norm(), 1e-3);
     }
   }

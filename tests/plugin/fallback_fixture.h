@@ -12,9 +12,6 @@
 
 namespace dgd_test {
 
-/// Metres: float positions of a few metres, and contact points through the manifold.
-inline constexpr double kLength = 1e-5;
-
 /// One pair at a time through our dispatcher, beside one of Bullet's own.
 class Fallback : public testing::Test {
  protected:

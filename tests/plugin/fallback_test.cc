@@ -5,14 +5,13 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "plugin/fallback_fixture.h"
 #include "plugin/shape_zoo.h"
 
 namespace dgd_test {
 namespace {
-
-constexpr double kPi = 3.141592653589793;
 
 // Two flat shapes without margins have no interior together: no scale at which they "just" touch (paper, Rem. 1).
 TEST_F(Fallback, TwoFlatTriangles_AnswerAsBulletDoesAndAreCounted) {
@@ -21,8 +20,8 @@ TEST_F(Fallback, TwoFlatTriangles_AnswerAsBulletDoesAndAreCounted) {
   PairQuery ours(dispatching_.dispatcher(), triangle, triangle), bullets(builtin_.dispatcher(), triangle, triangle);
   std::uint64_t steps = 0;
   for (const double height : {-0.3, -0.01, 0.0, 0.005}) {
-    const btTransform crossing =
-        MakeTransform(Eigen::AngleAxisd(kPi / 2, Vector::UnitX()).toRotationMatrix(), {0.1, 0.2, 0.5 + height});
+    const btTransform crossing = MakeTransform(
+        Eigen::AngleAxisd(std::numbers::pi / 2, Vector::UnitX()).toRotationMatrix(), {0.1, 0.2, 0.5 + height});
     for (PairQuery* pair : {&ours, &bullets}) pair->SetPoses(crossing, btTransform::getIdentity());
     const std::vector<Contact> contacts = ours.Step(), expected = bullets.Step();
     ++steps;

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "plugin/pair_query.h"
 #include "plugin/shape_zoo.h"
@@ -13,9 +14,6 @@
 
 namespace dgd_test {
 namespace {
-
-constexpr double kLength = 1e-5;  // Rounding of float at a metre, with some room.
-constexpr double kPi = 3.141592653589793;
 
 btTransform Turned(const Vector& axis, double angle, const Vector& position) {
   return MakeTransform(Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix(), position);
@@ -78,7 +76,7 @@ TEST_F(ManifoldContent, BoxOnBox_PointsAreWithinAHundredthOfTheHalfExtentOfTheTr
     btBoxShape box(half_extents);
     const double half = ToEigen(half_extents).minCoeff();
     for (const Vector& axis : axes) {
-      for (const double angle : {0.0, 1e-3, 0.1, 0.6, kPi / 4, 0.9553, 1.5, kPi / 2}) {
+      for (const double angle : {0.0, 1e-3, 0.1, 0.6, std::numbers::pi / 4, 0.9553, 1.5, std::numbers::pi / 2}) {
         SCOPED_TRACE(std::to_string(half) + " m, " + std::to_string(angle) + " rad");
         btTransform pose = Turned(axis, angle, {0.2, 0.1, 0});
         pose.getOrigin().setZ(btScalar(PosedConvex{box, pose}.SupportValue(-Vector::UnitZ()) - 0.01 * half));
@@ -95,7 +93,7 @@ TEST_F(ManifoldContent, BoxOnBox_PointsAreWithinAHundredthOfTheHalfExtentOfTheTr
 TEST_F(ManifoldContent, BoxCrossingBox_FourPointsSpanTheCrossing) {
   btBoxShape plank(Vec(2, 0.2, 0.1));
   PairQuery pair(dispatching_.dispatcher(), plank, plank);
-  pair.SetPoses(Turned(Vector::UnitZ(), kPi / 2, {0, 0, 0.199}), At(0, 0, 0));
+  pair.SetPoses(Turned(Vector::UnitZ(), std::numbers::pi / 2, {0, 0, 0.199}), At(0, 0, 0));
   const std::vector<Contact> contacts = pair.Step();
   EXPECT_EQ(contacts.size(), 4U);
   EXPECT_NEAR(Span(contacts).x(), 0.4, kLength);
@@ -153,7 +151,8 @@ TEST_F(ManifoldContent, SphereOnFloor_OnePoint) {
 TEST_F(ManifoldContent, BoxOnItsEdge_TwoPointsAlongIt) {
   btBoxShape cube(Vec(0.5, 0.5, 0.5));
   const double height = std::sqrt(0.5);
-  const std::vector<Contact> contacts = Lay(cube, Turned(Vector::UnitX(), kPi / 4, {0, 0, height - 0.001}));
+  const std::vector<Contact> contacts =
+      Lay(cube, Turned(Vector::UnitX(), std::numbers::pi / 4, {0, 0, height - 0.001}));
   EXPECT_EQ(contacts.size(), 2U);
   EXPECT_NEAR(Span(contacts).x(), 1, kLength);
 }
@@ -169,14 +168,14 @@ TEST_F(ManifoldContent, CapsulesCrossingAtASmallAngle_NoOverlapWhereThereIsNone)
   btCapsuleShapeX capsule(btScalar(0.02), btScalar(2));
   for (const double degrees : {0.5, 1.0, 2.0, 2.8, 5.0, 30.0}) {
     PairQuery pair(dispatching_.dispatcher(), capsule, capsule);
-    pair.SetPoses(Turned(Vector::UnitZ(), degrees * kPi / 180, {0, 0, 0.039}), At(0, 0, 0));
+    pair.SetPoses(Turned(Vector::UnitZ(), degrees * std::numbers::pi / 180, {0, 0, 0.039}), At(0, 0, 0));
     const std::vector<Contact> contacts = pair.Step();
     ASSERT_FALSE(contacts.empty());
     EXPECT_NEAR(Deepest(contacts).depth, -0.001, kLength);
     for (const Contact& contact : contacts) {
       SCOPED_TRACE(std::to_string(degrees) + " degrees, " + std::to_string(contact.on_b.x()) + " from the crossing");
       // The exact overlap of the two around that place.
-      const double lateral = 2 * std::abs(contact.on_b.x()) * std::tan(degrees / 2 * kPi / 180);
+      const double lateral = 2 * std::abs(contact.on_b.x()) * std::tan(degrees / 2 * std::numbers::pi / 180);
       EXPECT_GE(contact.depth, std::hypot(0.039, lateral) - 0.04 - kLength);
       // Half way between two places that are beside each other, not above.
       EXPECT_LE(std::abs(Outside(pair.B(), contact.on_b)), kLength + 1e-4 + 0.2 * std::abs(contact.depth));
@@ -297,7 +296,7 @@ TEST_F(ManifoldContent, StalePoints_AreDroppedAfterARotation) {
   EXPECT_EQ(pair.Step().size(), 4U);
   for (const double degrees : {1.0, 5.0, 20.0, 45.0, 70.0, 89.0, 90.0}) {
     SCOPED_TRACE(degrees);
-    const double angle = degrees * kPi / 180;
+    const double angle = degrees * std::numbers::pi / 180;
     const double height = 0.5 * (std::cos(angle) + std::sin(angle));
     pair.SetPoses(Turned(Vector::UnitX(), angle, {0, 0, height - 0.001}), At(0, 0, -1));
     const std::vector<Contact> contacts = pair.Step();
@@ -345,7 +344,8 @@ TEST(ManifoldContentWithoutPatch, OnePointAStep) {
   PairQuery pair(dispatching.dispatcher(), box, floor);
   for (int step = 1; step <= 8; ++step) {
     // Rocks so that another corner is the deepest each time: Bullet's cache fills up to four.
-    pair.SetPoses(Turned({std::cos(step * kPi / 2 + 0.4), std::sin(step * kPi / 2 + 0.4), 0}, 0.003, {0, 0, 0.199}),
+    pair.SetPoses(Turned({std::cos(step * std::numbers::pi / 2 + 0.4), std::sin(step * std::numbers::pi / 2 + 0.4), 0},
+                         0.003, {0, 0, 0.199}),
                   At(0, 0, -1));
     EXPECT_EQ(pair.Step().size(), 1U);
     EXPECT_GE(pair.manifold()->getNumContacts(), std::min(step, 4));
@@ -397,7 +397,7 @@ TEST_F(ManifoldContent, AlignedPrisms_FourPointsWithinTheFace) {
     SCOPED_TRACE(sides);
     const auto prism = MakePrism(sides, 0.5, 0.2);
     const double gap = 2 * double(prism->getMargin());
-    for (const double turn : {0.0, 1e-9, 1e-6, kPi / sides}) {
+    for (const double turn : {0.0, 1e-9, 1e-6, std::numbers::pi / sides}) {
       PairQuery pair(dispatching_.dispatcher(), *prism, *prism);
       pair.SetPoses(Turned(Vector::UnitZ(), turn, {0, 0, 0.4 + gap - 0.001}), At(0, 0, 0));
       const std::vector<Contact> contacts = pair.Step();

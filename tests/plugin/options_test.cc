@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -20,9 +21,7 @@
 namespace dgd_test {
 namespace {
 
-constexpr double kLength = 1e-5;  // Rounding of float at a metre, with some room.
 constexpr double kAsDeep = 2e-5;  // A corner that is as deep as the deepest point stands for it.
-constexpr double kPi = 3.141592653589793;
 
 /// The deepest contact of a pair's first step.
 Contact DeepestOf(const dgd_bullet::Options& options, btConvexShape& a, btConvexShape& b, const btTransform& pose_a,
@@ -108,8 +107,8 @@ TEST(AngularTolerance, TiltedBox_IsOnAnEdgeOnceItsFaceCountsAsOne) {
 
 TEST(GeometryMode, Bullets_BoxStandsOnASharpEdge) {
   btBoxShape box(Vec(0.5, 0.5, 0.5)), floor(Vec(5, 5, 1));
-  const btTransform on_edge =
-      MakeTransform(Eigen::AngleAxisd(kPi / 4, Vector::UnitX()).toRotationMatrix(), {0, 0, std::sqrt(2) * 0.5});
+  const btTransform on_edge = MakeTransform(Eigen::AngleAxisd(std::numbers::pi / 4, Vector::UnitX()).toRotationMatrix(),
+                                            {0, 0, std::sqrt(2) * 0.5});
   for (const double margin : {0.04, 0.001, 0.0}) {
     box.setMargin(btScalar(margin));
     EXPECT_NEAR(DeepestOf({}, box, floor, on_edge, At(0, 0, -1)).depth, 0, kLength);
@@ -123,8 +122,8 @@ TEST(GeometryMode, Bullets_ScaledBoxKeepsItsMargin) {
   btUniformScalingShape scaled(&box, 2);
   const double margin = double(scaled.getMargin());
   ASSERT_NEAR(margin, 2 * 0.025, kLength);
-  const btTransform on_edge =
-      MakeTransform(Eigen::AngleAxisd(kPi / 4, Vector::UnitX()).toRotationMatrix(), {0, 0, std::sqrt(2) * 0.5 - 0.02});
+  const btTransform on_edge = MakeTransform(Eigen::AngleAxisd(std::numbers::pi / 4, Vector::UnitX()).toRotationMatrix(),
+                                            {0, 0, std::sqrt(2) * 0.5 - 0.02});
   EXPECT_NEAR(DeepestOf({}, scaled, floor, on_edge, At(0, 0, -1)).depth, (std::sqrt(2) - 1) * margin - 0.02,
               kLength + kAsDeep);
 }
@@ -134,8 +133,8 @@ TEST(GeometryMode, Bullets_BoxInACompoundIsSharp) {
   world.AddGround();
   btBoxShape& box = world.Make<btBoxShape>(Vec(0.5, 0.5, 0.5));
   btCompoundShape& compound = world.Make<btCompoundShape>();
-  compound.addChildShape(MakeTransform(Eigen::AngleAxisd(kPi / 4, Vector::UnitX()).toRotationMatrix(), {0, 0, 0}),
-                         &box);
+  compound.addChildShape(
+      MakeTransform(Eigen::AngleAxisd(std::numbers::pi / 4, Vector::UnitX()).toRotationMatrix(), {0, 0, 0}), &box);
   world.Add(compound, 1, Vec(0, 0, std::sqrt(2) * 0.5 - 0.01));
   world.Detect();
   const std::vector<btManifoldPoint> points = world.Points();
@@ -150,8 +149,8 @@ TEST(GeometryMode, Sharp_IsTheShapeWithoutItsRounding) {
   sharp.geometry_mode = dgd_bullet::GeometryMode::kSharp;
   btBoxShape box(Vec(0.5, 0.5, 0.5)), floor(Vec(5, 5, 1));
   // On its edge, 1 mm deep: rounded by 2 mm, it would be 0.8 mm less.
-  const btTransform on_edge =
-      MakeTransform(Eigen::AngleAxisd(kPi / 4, Vector::UnitX()).toRotationMatrix(), {0, 0, std::sqrt(2) * 0.5 - 0.001});
+  const btTransform on_edge = MakeTransform(Eigen::AngleAxisd(std::numbers::pi / 4, Vector::UnitX()).toRotationMatrix(),
+                                            {0, 0, std::sqrt(2) * 0.5 - 0.001});
   EXPECT_NEAR(DeepestOf(sharp, box, floor, on_edge, At(0, 0, -1)).depth, -0.001, kLength);
   // Its face reaches to its corners, which the rounded one's does not.
   Dispatching dispatching(Route::kConfiguration, sharp);

@@ -18,7 +18,7 @@
 namespace dgd_test {
 namespace {
 
-constexpr double kLength = std::is_same_v<btScalar, float> ? 2e-6 : 1e-12;
+constexpr double kPlaneRoundoff = std::is_same_v<btScalar, float> ? 2e-6 : 1e-12;
 
 /// A tilted plane away from its body's origin, and that body's pose.
 class TiltedPlane {
@@ -112,11 +112,11 @@ TEST_P(PlanePairs, EveryType_DeepestContactIsTheLowestPointAndAllAreExact) {
         }
         EXPECT_LE(truth, threshold + 0.05);  // And the breaking threshold.
         EXPECT_LE(contacts.size(), 4u);
-        EXPECT_NEAR(Deepest(contacts).depth, truth, 4 * kLength);
+        EXPECT_NEAR(Deepest(contacts).depth, truth, 4 * kPlaneRoundoff);
         for (const Contact& contact : contacts) {
-          EXPECT_LT((contact.normal_b_to_a - plane.Up()).norm(), kLength);
-          EXPECT_NEAR(plane.HeightOf(contact.on_b), 0, 4 * kLength);
-          EXPECT_NEAR(plane.HeightOf(contact.OnA()), contact.depth, 4 * kLength);
+          EXPECT_LT((contact.normal_b_to_a - plane.Up()).norm(), kPlaneRoundoff);
+          EXPECT_NEAR(plane.HeightOf(contact.on_b), 0, 4 * kPlaneRoundoff);
+          EXPECT_NEAR(plane.HeightOf(contact.OnA()), contact.depth, 4 * kPlaneRoundoff);
           // Of the shape. Boxes have sharp corners here, of which rounded ones fall short.
           const bool is_box = zoo.shape->getShapeType() == BOX_SHAPE_PROXYTYPE;
           const double corner = is_box ? (std::sqrt(3) - 1) * PosedConvex{*zoo.shape, pose}.Margin() : 0;

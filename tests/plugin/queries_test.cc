@@ -14,8 +14,6 @@
 namespace dgd_test {
 namespace {
 
-constexpr double kLength = 1e-5;
-
 /// Remembers what a contact test reports, seen so that `first` is A.
 class Collector : public btCollisionWorld::ContactResultCallback {
  public:

@@ -18,7 +18,6 @@
 namespace dgd_test {
 namespace {
 
-constexpr double kLength = 1e-5;  // Roundoff of float at a metre, with some room.
 constexpr double kOverlap = 1e-3;
 
 enum class Ground { kBox, kPlane, kMesh };

@@ -16,6 +16,9 @@
 
 namespace dgd_test {
 
+/// Metres: roundoff of float positions of a few metres, and contact points through the manifold.
+inline constexpr double kLength = 1e-5;
+
 /// How a dispatcher gets its narrowphase.
 enum class Route { kConfiguration, kRegister, kBuiltin };
 std::string Name(Route route);
