@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "dgd/any_set.h"
-#include "dgd/growth_distance.h"
 #include "dgd/shapes.h"
+#include "support/pairs/any_pair.h"
 #include "support/scalars.h"
 
 namespace dgd_test {
@@ -27,18 +27,29 @@ dgd::Pose<double> PoseAt(const Vector3d& translation, double angle = 0, const Ve
 
 dgd::RoundedSet<dgd::Box<double>> BoxOf(double x, double y, double z) { return {dgd::Box<double>({x, y, z})}; }
 
+// The queries whose results have the gradients are compiled once; the gradients are those of the types.
+template <class Set1, class Set2, class S, int L>
+dgd::Result<S, L> Growth(const Set1& set_1, const dgd::Pose<S, L>& pose_1, const Set2& set_2,
+                         const dgd::Pose<S, L>& pose_2, const dgd::Settings<S>& settings = {}) {
+  return AnyPair<S, L>(Erase(set_1), pose_1, Erase(set_2), pose_2).GrowthDistance(settings);
+}
+template <class Set1, class Set2>
+dgd::SignedDistanceResult<double> Distance(const Set1& set_1, const dgd::Pose<double>& pose_1, const Set2& set_2,
+                                           const dgd::Pose<double>& pose_2, const dgd::Result<double>& growth) {
+  return AnyPair<double, 3>(Erase(set_1), pose_1, Erase(set_2), pose_2).SignedDistance(growth);
+}
+
 template <class Set1, class Set2, int L>
 dgd::Gradient<double, L> GradientOf(const Set1& set_1, const dgd::Pose<double, L>& pose_1, const Set2& set_2,
                                     const dgd::Pose<double, L>& pose_2) {
-  const auto result = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2, {.relative_tolerance = 1e-14});
+  const auto result = Growth(set_1, pose_1, set_2, pose_2, dgd::Settings<double>{.relative_tolerance = 1e-14});
   return dgd::GrowthDistanceGradient(set_1, pose_1, set_2, pose_2, result);
 }
 
 template <class Set1, class Set2>
 dgd::Gradient<double> SignedGradientOf(const Set1& set_1, const dgd::Pose<double>& pose_1, const Set2& set_2,
                                        const dgd::Pose<double>& pose_2) {
-  const auto growth = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2);
-  const auto result = dgd::SignedDistance(set_1, pose_1, set_2, pose_2, growth);
+  const auto result = Distance(set_1, pose_1, set_2, pose_2, Growth(set_1, pose_1, set_2, pose_2));
   return dgd::SignedDistanceGradient(set_1, pose_1, set_2, pose_2, result);
 }
 
@@ -59,7 +70,7 @@ TYPED_TEST(GradientOfScalar, Balls_HaveTheClosedForm) {
   dgd::Pose<S> pose_1, pose_2;
   pose_1.translation = {1, 2, 3};
   pose_2.translation = {3, 5, 9};
-  const auto result = dgd::GrowthDistance(ball_1, pose_1, ball_2, pose_2);
+  const auto result = Growth(ball_1, pose_1, ball_2, pose_2);
   const auto gradient = dgd::GrowthDistanceGradient(ball_1, pose_1, ball_2, pose_2, result);
   EXPECT_EQ(gradient.status, dgd::Status::kOptimal);
   EXPECT_TRUE(gradient.is_normal_unique);
@@ -216,7 +227,7 @@ TEST(Gradient, AtACorner_IsASubgradient) {
   const auto box_1 = BoxOf(1, 1, 1), box_2 = BoxOf(0.5, 0.5, 0.5);
   const Vector3d place(3, 3, 3);
   const auto at = [&](const Vector3d& offset) {
-    return dgd::GrowthDistance(box_1, PoseAt({0, 0, 0}), box_2, PoseAt(place + offset)).GrowthDistance();
+    return Growth(box_1, PoseAt({0, 0, 0}), box_2, PoseAt(place + offset)).GrowthDistance();
   };
   const auto gradient = GradientOf(box_1, PoseAt({0, 0, 0}), box_2, PoseAt(place));
   int above = 0;
@@ -245,20 +256,20 @@ TEST(Gradient, UnfinishedAndStoppedQueries_HaveADefinedGradient) {
   const dgd::RoundedSet ellipsoid{dgd::Ellipsoid<double>({1, 2, 0.5})};
   const dgd::RoundedSet cone{dgd::Cone<double>(0.5, 2)};
   const dgd::Pose<double> pose_1, pose_2 = PoseAt({3, 2, 1});
-  const auto first = dgd::GrowthDistance(ellipsoid, pose_1, cone, pose_2, {.max_iterations = 1});
+  const auto first = Growth(ellipsoid, pose_1, cone, pose_2, dgd::Settings<double>{.max_iterations = 1});
   ASSERT_EQ(first.status, dgd::Status::kIterationLimit);
   const auto unfinished = dgd::GrowthDistanceGradient(ellipsoid, pose_1, cone, pose_2, first);
   EXPECT_EQ(unfinished.status, dgd::Status::kIterationLimit);
   EXPECT_TRUE(unfinished.pose_2.linear.allFinite() && unfinished.pose_2.angular.allFinite());
 
-  const auto apart = dgd::GrowthDistance(ellipsoid, pose_1, cone, pose_2, {.separation_limit = 0.1});
+  const auto apart = Growth(ellipsoid, pose_1, cone, pose_2, dgd::Settings<double>{.separation_limit = 0.1});
   ASSERT_EQ(apart.status, dgd::Status::kSeparated);
   const auto stopped = dgd::GrowthDistanceGradient(ellipsoid, pose_1, cone, pose_2, apart);
   EXPECT_EQ(stopped.status, dgd::Status::kSeparated);
   EXPECT_TRUE(IsZero(stopped));
 
   const dgd::RoundedSet point{dgd::Point<double>()};
-  const auto nothing = dgd::GrowthDistance(point, pose_1, point, pose_2);
+  const auto nothing = Growth(point, pose_1, point, pose_2);
   ASSERT_EQ(nothing.status, dgd::Status::kNoInterior);
   const auto of_nothing = dgd::GrowthDistanceGradient(point, pose_1, point, pose_2, nothing);
   EXPECT_EQ(of_nothing.status, dgd::Status::kNoInterior);
@@ -269,8 +280,8 @@ TEST(Gradient, NanAndInfinity_AreInvalidInput) {
   const auto box = BoxOf(1, 1, 1);
   const auto ball = dgd::Sphere(0.5);
   const dgd::Pose<double> pose_1, pose_2 = PoseAt({3, 2, 1});
-  const auto growth = dgd::GrowthDistance(box, pose_1, ball, pose_2);
-  const auto distance = dgd::SignedDistance(box, pose_1, ball, pose_2, growth);
+  const auto growth = Growth(box, pose_1, ball, pose_2);
+  const auto distance = Distance(box, pose_1, ball, pose_2, growth);
   const auto expect_invalid = [&](const auto& ball_too, const dgd::Pose<double>& pose_too,
                                   const dgd::Result<double>& growth_too,
                                   const dgd::SignedDistanceResult<double>& distance_too) {
@@ -355,7 +366,7 @@ TEST(SignedDistanceGradient, UnfinishedResult_IsNotUnique) {
   const auto box = BoxOf(1, 1, 1);
   const auto ball = dgd::Sphere(0.5);
   const auto pose_2 = PoseAt({2, 0.1, 0.2});
-  auto result = dgd::SignedDistance(box, {}, ball, pose_2, dgd::GrowthDistance(box, {}, ball, pose_2));
+  auto result = Distance(box, dgd::Pose<double>(), ball, pose_2, Growth(box, dgd::Pose<double>(), ball, pose_2));
   EXPECT_TRUE(dgd::SignedDistanceGradient(box, {}, ball, pose_2, result).IsUnique());
   result.status = dgd::Status::kIterationLimit;
   result.upper_bound = result.separation + 0.001;

@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "dgd/growth_distance.h"
 #include "dgd/shapes.h"
 #include "support/pairs/any_pair.h"
 #include "support/random.h"
@@ -26,15 +25,14 @@ dgd::Pose<double, L> RandomPose(Random& random, double distance) {
 
 /// Of 200 queries at random poses, from deep overlap to far apart, each pair cold and then warm.
 /// @return the most iterations of a query.
-template <class Core1, class Core2>
-int CheckObserver(const dgd::RoundedSet<Core1>& set_1, const dgd::RoundedSet<Core2>& set_2) {
-  constexpr int L = dgd::kDimension<Core1>;
+template <int L>
+int CheckObserver(const AnySet<double, L>& set_1, const AnySet<double, L>& set_2) {
   using Iterate = dgd::Iterate<double, L>;
   Random random(TestSeed());
   int most = 0;
   for (int i = 0; i < 100; ++i) {
     const dgd::Pose<double, L> pose_1 = RandomPose<L>(random, 1), pose_2 = RandomPose<L>(random, 4);
-    const AnyPair<double, L> pair(Erase(set_1), pose_1, Erase(set_2), pose_2);
+    const AnyPair<double, L> pair(set_1, pose_1, set_2, pose_2);
     dgd::WarmStart<double, L> warm_start;
     for (int frame = 0; frame < 2; ++frame) {
       std::vector<Iterate> told;
@@ -62,46 +60,47 @@ int CheckObserver(const dgd::RoundedSet<Core1>& set_1, const dgd::RoundedSet<Cor
 }
 
 TEST(Observer, Polytopes_AreToldOnceForEachIteration) {
-  const dgd::RoundedSet box{dgd::Box<double>({0.3, 0.7, 1.1})};
-  const dgd::RoundedSet rounded{dgd::Box<double>({0.5, 0.2, 0.9}), 0.1};
-  EXPECT_GT(CheckObserver(box, box), 2);
-  EXPECT_GT(CheckObserver(box, rounded), 2);
+  const auto box = Erase(dgd::RoundedSet{dgd::Box<double>({0.3, 0.7, 1.1})});
+  const auto rounded = Erase(dgd::RoundedSet{dgd::Box<double>({0.5, 0.2, 0.9}), 0.1});
+  EXPECT_GT(CheckObserver<3>(box, box), 2);
+  EXPECT_GT(CheckObserver<3>(box, rounded), 2);
 }
 
 TEST(Observer, CurvedSets_AreToldOnceForEachIteration) {
-  const dgd::RoundedSet cone{dgd::Cone<double>(0.6, 1.5)};
-  const dgd::RoundedSet ellipsoid{dgd::Ellipsoid<double>({0.3, 0.7, 1.1})};
-  EXPECT_GT(CheckObserver(cone, ellipsoid), 2);
-  EXPECT_GT(CheckObserver(cone, dgd::RoundedSet{dgd::Box<double>({0.3, 0.7, 1.1}), 0.1}), 2);
+  const auto cone = Erase(dgd::RoundedSet{dgd::Cone<double>(0.6, 1.5)});
+  const auto ellipsoid = Erase(dgd::RoundedSet{dgd::Ellipsoid<double>({0.3, 0.7, 1.1})});
+  EXPECT_GT(CheckObserver<3>(cone, ellipsoid), 2);
+  EXPECT_GT(CheckObserver<3>(cone, Erase(dgd::RoundedSet{dgd::Box<double>({0.3, 0.7, 1.1}), 0.1})), 2);
 }
 
 TEST(Observer, SetsOfThePlane_AreToldOnceForEachIteration) {
-  const dgd::RoundedSet rectangle{dgd::Rectangle<double>({0.3, 1.1})};
-  const dgd::RoundedSet ellipse{dgd::Ellipse<double>({0.4, 0.9})};
-  EXPECT_GT(CheckObserver(rectangle, rectangle), 2);
-  EXPECT_GT(CheckObserver(rectangle, ellipse), 2);
-  EXPECT_GT(CheckObserver(ellipse, ellipse), 2);
+  const auto rectangle = Erase(dgd::RoundedSet{dgd::Rectangle<double>({0.3, 1.1})});
+  const auto ellipse = Erase(dgd::RoundedSet{dgd::Ellipse<double>({0.4, 0.9})});
+  EXPECT_GT(CheckObserver<2>(rectangle, rectangle), 2);
+  EXPECT_GT(CheckObserver<2>(rectangle, ellipse), 2);
+  EXPECT_GT(CheckObserver<2>(ellipse, ellipse), 2);
 }
 
 TEST(Observer, IterationLimit_EndsTheTelling) {
-  const dgd::RoundedSet cone{dgd::Cone<double>(0.6, 1.5)};
+  const auto cone = Erase(dgd::RoundedSet{dgd::Cone<double>(0.6, 1.5)});
   dgd::Pose<double> pose;
   pose.translation = {1, 2, 0.5};
   int told = 0;
-  const auto result = dgd::GrowthDistance(cone, dgd::Pose<double>(), cone, pose, {.max_iterations = 2}, nullptr,
-                                          [&told](const dgd::Iterate<double, 3>&) { ++told; });
+  const AnyPair<double, 3> pair(cone, {}, cone, pose);
+  const auto result =
+      pair.GrowthDistance({.max_iterations = 2}, nullptr, [&told](const dgd::Iterate<double, 3>&) { ++told; });
   EXPECT_EQ(result.status, dgd::Status::kIterationLimit);
   EXPECT_EQ(told, 2);
 }
 
 TEST(Observer, Watching_DoesNotChangeTheResult) {
-  const dgd::RoundedSet cone{dgd::Cone<double>(0.6, 1.5)};
-  const dgd::RoundedSet ellipsoid{dgd::Ellipsoid<double>({0.3, 0.7, 1.1})};
+  const auto cone = Erase(dgd::RoundedSet{dgd::Cone<double>(0.6, 1.5)});
+  const auto ellipsoid = Erase(dgd::RoundedSet{dgd::Ellipsoid<double>({0.3, 0.7, 1.1})});
   dgd::Pose<double> pose;
   pose.translation = {1, 2, 0.5};
-  const auto watched = dgd::GrowthDistance(cone, dgd::Pose<double>(), ellipsoid, pose, {}, nullptr,
-                                           [](const dgd::Iterate<double, 3>&) {});
-  const auto plain = dgd::GrowthDistance(cone, dgd::Pose<double>(), ellipsoid, pose);
+  const AnyPair<double, 3> pair(cone, {}, ellipsoid, pose);
+  const auto watched = pair.GrowthDistance({}, nullptr, [](const dgd::Iterate<double, 3>&) {});
+  const auto plain = pair.GrowthDistance();
   EXPECT_EQ(watched.iterations, plain.iterations);
   EXPECT_EQ(watched.lower_bound, plain.lower_bound);
   EXPECT_EQ(watched.upper_bound, plain.upper_bound);

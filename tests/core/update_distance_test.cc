@@ -4,8 +4,10 @@
 
 #include <array>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "dgd/any_set.h"
 #include "dgd/growth_distance.h"
 #include "dgd/shapes.h"
 #include "dgd/signed_distance_certificate.h"
@@ -39,20 +41,23 @@ struct Count {
 };
 
 /// Two sets that drift past each other, shaken, for some frames: queried by following, and from scratch.
-template <class Core1, class Core2, class S = typename Core1::Scalar>
-void Walk(Random& random, const dgd::RoundedSet<Core1>& set_1, const dgd::RoundedSet<Core2>& set_2, Count& count) {
-  constexpr bool kIsPolytope = dgd::MinkowskiDifference<dgd::RoundedSet<Core1>, dgd::RoundedSet<Core2>>::kIsPolytope;
-  AnyPair<S, 3> pair(Erase(set_1), {}, Erase(set_2), {});
+template <class S>
+void Walk(Random& random, const AnySet<S, 3>& set_1, const AnySet<S, 3>& set_2, Count& count) {
+  using PolytopeSet = dgd::RoundedSet<ErasedVertexCore<S, 3>>;
+  const bool is_polytope = std::holds_alternative<PolytopeSet>(set_1) && std::holds_alternative<PolytopeSet>(set_2);
+  const auto radius_of = [](const auto& set) { return double(set.radius); };
+  const double radius = std::visit(radius_of, set_1) + std::visit(radius_of, set_2);
+  AnyPair<S, 3> pair(set_1, {}, set_2, {});
   constexpr int kFrames = 60;
   constexpr double kLimit = 0.3;  // m
-  const double tolerance = sizeof(S) == sizeof(float) ? 1e-5 : kIsPolytope ? 1e-13 : 1e-8;
+  const double tolerance = sizeof(S) == sizeof(float) ? 1e-5 : is_polytope ? 1e-13 : 1e-8;
   dgd::Settings<S> settings;
   settings.separation_limit = S(kLimit);
   dgd::Pose<double> pose_1{random.Rotation(), random.InCube()}, pose_2{random.Rotation(), pose_1.translation};
   const Vector3d across = random.UnitVector(), drift = random.UnitVector();
   pose_2.translation += random.Uniform(0, 1.2) * across - 1.2 * drift;
   dgd::WarmStart<S> state;
-  bool can_follow = !kIsPolytope;
+  bool can_follow = !is_polytope;
   for (int frame = 0; frame < kFrames; ++frame) {
     pose_2.translation += 2.4 / kFrames * drift + 0.01 * random.InCube();
     pose_2.rotation = Eigen::AngleAxisd(0.02, random.UnitVector()) * pose_2.rotation;
@@ -61,8 +66,7 @@ void Walk(Random& random, const dgd::RoundedSet<Core1>& set_1, const dgd::Rounde
     dgd::WarmStart<S> warm_start, fresh;
     const auto growth = pair.GrowthDistance({}, &warm_start);
     const auto from_scratch = pair.SignedDistance(growth, &warm_start, {}, &fresh);
-    const double radius = double(set_1.radius + set_2.radius),
-                 separation_from_scratch = double(from_scratch.separation);
+    const double separation_from_scratch = double(from_scratch.separation);
     if (can_follow) {
       ++count.frames;
       const dgd::WarmStart<S> before = state;
@@ -101,17 +105,17 @@ void Walk(Random& random, const dgd::RoundedSet<Core1>& set_1, const dgd::Rounde
       can_follow = followed.status == Status::kOptimal;
     }
     if (can_follow) continue;
-    const bool is_followed = kIsPolytope || separation_from_scratch + radius > tolerance;
+    const bool is_followed = is_polytope || separation_from_scratch + radius > tolerance;
     can_follow = from_scratch.status == Status::kOptimal && is_followed && separation_from_scratch < kLimit;
     state = fresh;
   }
 }
 
 /// With and without vertices on the other side.
-template <class S, class Hull>
-void WalkCurved(Random& random, S radius, const Hull& hull, Count& count) {
-  const dgd::RoundedSet cylinder{dgd::Cylinder<S>(S(0.3), S(0.2)), radius};
-  const dgd::RoundedSet cone{dgd::Cone<S>(S(0.3), S(0.6)), radius};
+template <class S>
+void WalkCurved(Random& random, S radius, const AnySet<S, 3>& hull, Count& count) {
+  const auto cylinder = Erase(dgd::RoundedSet{dgd::Cylinder<S>(S(0.3), S(0.2)), radius});
+  const auto cone = Erase(dgd::RoundedSet{dgd::Cone<S>(S(0.3), S(0.6)), radius});
   Walk(random, cylinder, hull, count);
   Walk(random, cylinder, cone, count);
   Walk(random, cone, hull, count);
@@ -126,12 +130,13 @@ void PassAllTypes(int rounds) {
     const dgd::Polytope<S> hull(HullPoints(random, 8 + random.Below(12))), large(HullPoints(random, 200));
     const auto vector = [&] { return Vector3d(0.4 * random.InCube()).cast<S>().eval(); };
     const S radius = S(random.Uniform(0.02, 0.2));
-    const dgd::RoundedSet rounded_hull{dgd::CoreReference(hull), radius},
-        rounded_large{dgd::CoreReference(large), radius}, sharp_hull{dgd::CoreReference(hull), S(0)};
-    const dgd::RoundedSet box{dgd::Box<S>(dgd::Vector3<S>(S(0.3), S(0.2), S(0.4))), radius};
-    const dgd::RoundedSet triangle{dgd::Triangle<S>(vector(), vector(), vector()), radius};
-    const auto capsule = dgd::Capsule(radius, S(0.3));
-    const auto sphere = dgd::Sphere(S(0.3));
+    const auto rounded_hull = Erase(dgd::RoundedSet{dgd::CoreReference(hull), radius});
+    const auto rounded_large = Erase(dgd::RoundedSet{dgd::CoreReference(large), radius});
+    const auto sharp_hull = Erase(dgd::RoundedSet{dgd::CoreReference(hull), S(0)});
+    const auto box = Erase(dgd::RoundedSet{dgd::Box<S>(dgd::Vector3<S>(S(0.3), S(0.2), S(0.4))), radius});
+    const auto triangle = Erase(dgd::RoundedSet{dgd::Triangle<S>(vector(), vector(), vector()), radius});
+    const auto capsule = Erase(dgd::Capsule(radius, S(0.3)));
+    const auto sphere = Erase(dgd::Sphere(S(0.3)));
     Walk(random, rounded_hull, rounded_hull, count);
     Walk(random, rounded_hull, rounded_large, count);
     Walk(random, sharp_hull, sharp_hull, count);
@@ -163,7 +168,7 @@ TEST(UpdateDistance, SetsThatPassEachOther_AsFromScratchInDouble) { PassAllTypes
 TEST(UpdateDistance, SetsThatPassEachOther_AsFromScratchInFloat) { PassAllTypes<float>(TestCount(20, 2)); }
 
 TEST(UpdateDistance, NoStateOrBadInput_IsRefused) {
-  const dgd::RoundedSet box{dgd::Box<double>(Vector3d(1, 1, 1)), 0.1};
+  const dgd::AnySet box = dgd::RoundedSet{dgd::Box<double>(Vector3d(1, 1, 1)), 0.1};
   dgd::Pose<double> pose;
   pose.translation = Vector3d(0, 0, 2.1);
   dgd::WarmStart<double> state;
@@ -178,7 +183,7 @@ TEST(UpdateDistance, NoStateOrBadInput_IsRefused) {
 }
 
 TEST(UpdateDistance, CurvedCoresWithoutState_StartFromTheLineOfTheCentres) {
-  const dgd::RoundedSet cylinder{dgd::Cylinder<double>(0.5, 1), 0.1};
+  const dgd::AnySet cylinder = dgd::RoundedSet{dgd::Cylinder<double>(0.5, 1), 0.1};
   dgd::Pose<double> pose;
   pose.translation = Vector3d(0.1, 0, 2.15);
   dgd::WarmStart<double> state;

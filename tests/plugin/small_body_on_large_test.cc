@@ -16,12 +16,6 @@
 namespace dgd_test {
 namespace {
 
-dgd_bullet::Options GrowthNormals() {
-  dgd_bullet::Options options;
-  options.normal_mode = dgd_bullet::NormalMode::kGrowth;
-  return options;
-}
-
 /// Without margin, as all shapes here: a slab of 1 cm has no room for Bullet's.
 template <class Shape>
 Shape& Sharp(Shape& shape) {
@@ -150,7 +144,7 @@ TEST(SmallBodyOnLarge, NearBorderAndCorner_NormalIsThatOfTheFace) {
                        std::to_string(thickness) + " m");
           for (const double overlap : kOverlaps) {
             for (const bool is_corner : {false, true}) {
-              TestWorld world(Route::kConfiguration, GrowthNormals());
+              TestWorld world(Route::kConfiguration);
               const Slab slab = AddSlab(world, slab_name, width, thickness);
               const auto [shape, half_height] = MakeSmall(world, small_name, size);
               const double depth = DepthOf(overlap, 2 * half_height);
@@ -181,7 +175,7 @@ TEST(SmallBodyOnLarge, RodOnPlate_NormalIsThatOfTheFace) {
         for (const double overlap : kOverlaps) {
           for (const double angle : {0.0, 0.2, std::numbers::pi / 2}) {
             // Across the border with its middle near it, or along it.
-            TestWorld world(Route::kConfiguration, GrowthNormals());
+            TestWorld world(Route::kConfiguration);
             constexpr double kRadius = 0.01, kThickness = 0.01;
             const Slab slab = AddSlab(world, slab_name, 1, kThickness);
             const Vector place = Near(slab, 0.05, false) + Vector(0, slab.is_round ? 0 : 0.2, 0);
@@ -209,7 +203,7 @@ TEST(SmallBodyOnLarge, AtRestNearTheCorner_StaysThere) {
     for (const double thickness : {0.01, 1.0}) {
       for (const std::string name : kSmall) {
         SCOPED_TRACE(name + " on a " + slab_name + " of " + std::to_string(thickness) + " m");
-        TestWorld world(Route::kConfiguration, GrowthNormals());
+        TestWorld world(Route::kConfiguration);
         const Slab slab = AddSlab(world, slab_name, 100, thickness);
         const auto [shape, half_height] = MakeSmall(world, name, 0.2);
         ExpectStays(world, *shape, half_height, Near(slab, 0.12, true));
@@ -217,7 +211,7 @@ TEST(SmallBodyOnLarge, AtRestNearTheCorner_StaysThere) {
     }
     for (const std::string rod : {"box", "capsule", "cylinder", "hull"}) {
       SCOPED_TRACE("rod, a " + rod + ", on a plate, a " + slab_name);
-      TestWorld world(Route::kConfiguration, GrowthNormals());
+      TestWorld world(Route::kConfiguration);
       const Slab slab = AddSlab(world, slab_name, 1, 0.01);
       ExpectStays(world, MakeRod(world, rod, 0.5, 0.01), 0.01, Near(slab, 0.05, false));
     }

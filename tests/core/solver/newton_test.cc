@@ -21,22 +21,24 @@ namespace {
 using Eigen::Vector3d;
 using Pose = dgd::Pose<double>;
 
+// Behind names, so that the solver is instantiated for three pairs of types and not for nine.
+using SmoothSet = dgd::RoundedSet<ErasedSmoothCore<double, 3>>;
+using VertexSet = dgd::RoundedSet<ErasedVertexCore<double, 3>>;
+
 /// Over two decades.
 double RandomLength(Random& random) { return random.LogUniform(0.05, 5); }
-dgd::RoundedSet<dgd::Ellipsoid<double>> RandomEllipsoid(Random& random) {
-  return {dgd::Ellipsoid<double>({RandomLength(random), RandomLength(random), RandomLength(random)})};
+SmoothSet RandomEllipsoid(Random& random) {
+  return {Erase(dgd::Ellipsoid<double>({RandomLength(random), RandomLength(random), RandomLength(random)}))};
 }
-dgd::RoundedSet<dgd::Box<double>> RandomBox(Random& random) {
-  return {dgd::Box<double>({RandomLength(random), RandomLength(random), RandomLength(random)})};
+VertexSet RandomBox(Random& random) {
+  return {Erase(dgd::Box<double>({RandomLength(random), RandomLength(random), RandomLength(random)}))};
 }
-dgd::RoundedSet<dgd::Cylinder<double>> RandomCylinder(Random& random) {
-  return {dgd::Cylinder<double>(RandomLength(random), RandomLength(random))};
+SmoothSet RandomCylinder(Random& random) {
+  return {Erase(dgd::Cylinder<double>(RandomLength(random), RandomLength(random)))};
 }
-dgd::RoundedSet<dgd::Cone<double>> RandomCone(Random& random) {
-  return {dgd::Cone<double>(RandomLength(random), RandomLength(random))};
-}
-dgd::RoundedSet<dgd::Segment<double>> RandomCapsule(Random& random) {
-  return {dgd::Segment<double>(RandomLength(random)), RandomLength(random)};
+SmoothSet RandomCone(Random& random) { return {Erase(dgd::Cone<double>(RandomLength(random), RandomLength(random)))}; }
+VertexSet RandomCapsule(Random& random) {
+  return {Erase(dgd::Segment<double>(RandomLength(random))), RandomLength(random)};
 }
 
 struct Shares {
@@ -57,7 +59,7 @@ Shares CheckWalk(const Make1& make_1, const Make2& make_2) {
     using Set2 = std::remove_cvref_t<decltype(set_2)>;
     const Pose pose_1{random.Rotation(), random.InCube()};
     const Pose pose_2{random.Rotation(), pose_1.translation + random.Uniform(0.2, 5) * random.UnitVector()};
-    const AnyPair<double, 3> pair(Erase(set_1), pose_1, Erase(set_2), pose_2);
+    const AnyPair<double, 3> pair(set_1, pose_1, set_2, pose_2);
     const auto result = pair.GrowthDistance();
     EXPECT_EQ(result.status, dgd::Status::kOptimal);
     const dgd::Certificate certificate = pair.Certify(result);
@@ -111,24 +113,25 @@ TEST(NewtonSearch, StackedCylinders_MeetInTheirCaps) {
   for (int i = 0; i < TestCount(300, 30); ++i) {
     const double radius_1 = RandomLength(random), radius_2 = RandomLength(random);
     const double half_1 = RandomLength(random), half_2 = RandomLength(random), rounding = random.Flip() ? 0.1 : 0;
-    const dgd::RoundedSet set_1{dgd::Cylinder<double>(radius_1, half_1), rounding};
-    const dgd::RoundedSet set_2{dgd::Cylinder<double>(radius_2, half_2), rounding};
+    const SmoothSet set_1{Erase(dgd::Cylinder<double>(radius_1, half_1)), rounding};
+    const SmoothSet set_2{Erase(dgd::Cylinder<double>(radius_2, half_2)), rounding};
     const double distance = random.Uniform(0.1, 3) * (half_1 + half_2),
                  beside = 0.5 * distance * (radius_1 + radius_2) / (half_1 + half_2 + 2 * rounding);
     const Eigen::Matrix3d axes = random.Rotation();
     const Pose pose_1{axes, random.InCube()};
     const Pose pose_2{axes, pose_1.translation + axes * Vector3d(beside, 0, distance)};
-    const auto result = dgd::GrowthDistance(set_1, pose_1, set_2, pose_2);
+    const AnyPair<double, 3> pair(set_1, pose_1, set_2, pose_2);
+    const auto result = pair.GrowthDistance();
     EXPECT_EQ(result.status, dgd::Status::kOptimal);
     EXPECT_NEAR(result.GrowthDistance(), distance / (half_1 + half_2 + 2 * rounding), 1e-12 * result.GrowthDistance());
     EXPECT_LE((result.normal - axes.col(2)).norm(), 1e-12);
-    EXPECT_LE(dgd::Certify(set_1, pose_1, set_2, pose_2, result).primal_infeasibility, 1e-13);
+    EXPECT_LE(pair.Certify(result).primal_infeasibility, 1e-13);
   }
 }
 
 /// Of which the search leaves many.
 struct ConePair {
-  dgd::RoundedSet<dgd::Cone<double>> set_1, set_2;
+  SmoothSet set_1, set_2;
   Pose pose_1, pose_2;
 
   explicit ConePair(Random& random)
@@ -137,11 +140,12 @@ struct ConePair {
         pose_1{random.Rotation(), random.InCube()},
         pose_2{random.Rotation(), pose_1.translation + random.Uniform(0.2, 5) * random.UnitVector()} {}
 
+  AnyPair<double, 3> Query() const { return {set_1, pose_1, set_2, pose_2}; }
+
   bool IsLeftBySearch() const {
-    using Set = dgd::RoundedSet<dgd::Cone<double>>;
     const dgd::Settings<double> settings;
-    const dgd::MinkowskiDifference<Set, Set> difference(set_1, pose_1, set_2, pose_2);
-    dgd::NewtonSearch<Set, Set> search(difference, settings);
+    const dgd::MinkowskiDifference<SmoothSet, SmoothSet> difference(set_1, pose_1, set_2, pose_2);
+    dgd::NewtonSearch<SmoothSet, SmoothSet> search(difference, settings);
     const dgd::NoObserver observer;
     return !search.Solve(dgd::QueryMode::kDistance, difference.EllipsoidGuess(), nullptr, observer).has_value();
   }
@@ -156,15 +160,15 @@ TEST(NewtonSearch, WhatItLeaves_IsSolvedByCuttingPlanes) {
     const ConePair pair(random);
     if (!pair.IsLeftBySearch()) continue;
     ++left;
-    const auto result = dgd::GrowthDistance(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2);
+    const auto result = pair.Query().GrowthDistance();
     ASSERT_EQ(result.status, dgd::Status::kOptimal);
-    const dgd::Certificate certificate = dgd::Certify(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2, result);
+    const dgd::Certificate certificate = pair.Query().Certify(result);
     EXPECT_LE(certificate.primal_infeasibility, 1e-13);
     EXPECT_LE(certificate.relative_gap, 1.0001 * dgd::kSqrtEpsilon<double>);
     iterations += result.iterations;
     longest = std::max(longest, result.iterations);
     // The same yes or no.
-    const auto yes_no = dgd::DetectCollision(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2);
+    const auto yes_no = pair.Query().DetectCollision();
     if (result.lower_bound > 1) {
       EXPECT_EQ(yes_no.status, dgd::Status::kSeparated);
     } else if (result.upper_bound < 1) {
@@ -193,14 +197,12 @@ TEST(NewtonSearch, WhatItLeaves_IsOneQueryToObserversAndLimits) {
       lower = iterate.lower_bound;
       upper = iterate.upper_bound;
     };
-    dgd::WarmStart<double>* none = nullptr;
-    const auto result = dgd::GrowthDistance(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2, {}, none, observer);
+    const auto result = pair.Query().GrowthDistance({}, nullptr, observer);
     EXPECT_EQ(result.iterations, iteration);
     EXPECT_EQ(result.lower_bound, lower);
     EXPECT_EQ(result.upper_bound, upper);
     for (int limit = 1; limit < result.iterations; ++limit) {
-      const auto limited =
-          dgd::GrowthDistance(pair.set_1, pair.pose_1, pair.set_2, pair.pose_2, {.max_iterations = limit});
+      const auto limited = pair.Query().GrowthDistance({.max_iterations = limit});
       EXPECT_EQ(limited.status, dgd::Status::kIterationLimit);
       EXPECT_LE(limited.iterations, limit);
       EXPECT_LE(limited.lower_bound, result.upper_bound);
@@ -248,11 +250,13 @@ TEST(NewtonSearch, LastPieces_AreTheFirstOnes) {
     const auto box = RandomBox(random);
     const Pose pose_1{random.Rotation(), random.InCube()};
     Pose pose_2{random.Rotation(), pose_1.translation + random.Uniform(0.2, 5) * random.UnitVector()};
+    AnyPair<double, 3> pair(ellipsoid, pose_1, box, pose_2);
     dgd::WarmStart<double> state;
-    cold += dgd::GrowthDistance(ellipsoid, pose_1, box, pose_2, {}, &state).iterations;
+    cold += pair.GrowthDistance({}, &state).iterations;
     EXPECT_GE(state.size, 1);
     pose_2.translation += 1e-4 * random.UnitVector();
-    warm += dgd::GrowthDistance(ellipsoid, pose_1, box, pose_2, {}, &state).iterations;
+    pair.MoveTo(pose_1, pose_2);
+    warm += pair.GrowthDistance({}, &state).iterations;
   }
   EXPECT_LT(warm, 0.55 * cold);
 }
