@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "shapes/shape_type_name.h"
+#include "shape_type_name.h"
 
 namespace dgd_preload {
 namespace {

@@ -1,5 +1,5 @@
 // Velocities of multibodies' links, against where Bullet moves the links.
-#include "pipeline/body_velocity.h"
+#include "body_velocity.h"
 
 #include <BulletDynamics/Featherstone/btMultiBody.h>
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "pipeline/pair_motion.h"
+#include "pair_motion.h"
 #include "plugin/rigid_body.h"
 
 namespace dgd_test {

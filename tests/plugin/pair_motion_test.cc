@@ -1,5 +1,5 @@
 // How far bodies go within a step, by what Bullet says of them.
-#include "pipeline/pair_motion.h"
+#include "pair_motion.h"
 
 #include <gtest/gtest.h>
 

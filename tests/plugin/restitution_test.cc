@@ -1,5 +1,5 @@
 // The speed that a rebound is to leave, against what follows from the energy of the flight; and where bodies rebound.
-#include "conditioning/restitution.h"
+#include "manifold/restitution.h"
 
 #include <gtest/gtest.h>
 

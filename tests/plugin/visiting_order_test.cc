@@ -1,5 +1,5 @@
 // What a thread knows of the order in which it visits pairs: what came next the last time, or nothing.
-#include "algorithms/visiting_order.h"
+#include "visiting_order.h"
 
 #include <gtest/gtest.h>
 

@@ -68,7 +68,7 @@ struct Options {
   bool friction_anchors = true;
 
   /// The contact point that carried most in the last step comes first in its manifold, the others around the patch, as
-  /// Bullet's solver leaves least undone (src/conditioning/point_order.h). Off: a patch's own order.
+  /// Bullet's solver leaves least undone (src/manifold/point_order.h). Off: a patch's own order.
   /// Physics: points and distances stay the same. Stacks of small boxes and high towers rock and sway less; links of
   /// multibodies keep their order.
   bool order_points_by_impulse = true;

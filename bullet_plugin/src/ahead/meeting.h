@@ -21,7 +21,7 @@
 #include "dgd/motion.h"
 #include "dgd/time_of_impact.h"
 #include "dgd_bullet/linkage.h"
-#include "pipeline/pair_motion.h"
+#include "pair_motion.h"
 #include "shapes/posed_shape.h"
 
 namespace dgd_bullet {

@@ -1,8 +1,8 @@
 #include "dgd_bullet/convex_cast.h"
 
 #include "algorithms/shape_sweep.h"
+#include "bullet_conversions.h"
 #include "dgd/assert.h"
-#include "shapes/bullet_conversions.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {

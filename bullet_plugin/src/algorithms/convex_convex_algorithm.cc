@@ -7,12 +7,13 @@
 
 #include <algorithm>
 
-#include "algorithms/prefetch.h"
+#include "algorithms/narrowphase.h"
 #include "algorithms/shape_sweep.h"
+#include "bullet_conversions.h"
 #include "dgd/assert.h"
 #include "dgd_bullet/recorder.h"
-#include "pipeline/pair_pipeline.h"
-#include "shapes/bullet_conversions.h"
+#include "pair/pair_pipeline.h"
+#include "prefetch.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
@@ -85,7 +86,7 @@ btScalar ConvexConvexAlgorithm::calculateTimeOfImpact(btCollisionObject* body_0,
             body.getInterpolationWorldTransform(), hull};
   };
   const MovingShape a = moving(*body_0, cache_.hull_a()), b = moving(*body_1, cache_.hull_b());
-  Narrowphase& narrowphase = pair_.narrowphase;
+  SharedState& narrowphase = pair_.narrowphase;
   const dgd::TimeOfImpactResult<double> impact =
       SweepShapes(a, b, pair_.options().geometry_mode, narrowphase.hulls(), HullUse::kStep);
   if (!Meet(impact, a, b)) return kNever;

@@ -10,10 +10,10 @@
 
 #include "algorithms/pair_algorithm.h"
 #include "dgd_bullet/linkage.h"
-#include "pipeline/face_contacts.h"
-#include "pipeline/pair_cache.h"
-#include "pipeline/pair_patch.h"
-#include "pipeline/separating_axis.h"
+#include "mesh/face_contacts.h"
+#include "pair/pair_cache.h"
+#include "pair/pair_patch.h"
+#include "pair/separating_axis.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {

@@ -15,19 +15,19 @@
 #include <vector>
 
 #include "algorithms/convex_convex_algorithm.h"
-#include "algorithms/triangle_pairs.h"
-#include "conditioning/just_touching.h"
+#include "contact_range.h"
 #include "dgd/assert.h"
-#include "pipeline/contact_range.h"
-#include "pipeline/contact_reduction.h"
-#include "pipeline/manifold_writer.h"
-#include "pipeline/mesh_contacts.h"
-#include "pipeline/mesh_triangle.h"
-#include "pipeline/pair_motion.h"
-#include "pipeline/pair_patch.h"
-#include "pipeline/separating_axis.h"
-#include "pipeline/user_query.h"
+#include "manifold/just_touching.h"
+#include "manifold/manifold_writer.h"
+#include "manifold/mesh_triangle.h"
+#include "mesh/contact_reduction.h"
+#include "mesh/mesh_contacts.h"
+#include "mesh/triangle_pairs.h"
+#include "pair/pair_patch.h"
+#include "pair/separating_axis.h"
+#include "pair_motion.h"
 #include "record/contact_drawer.h"
+#include "user_query.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {

@@ -3,7 +3,7 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 
-#include "pipeline/plane_pipeline.h"
+#include "pair/plane_pipeline.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {

@@ -4,10 +4,10 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 
-#include "conditioning/just_touching.h"
 #include "dgd/assert.h"
-#include "pipeline/user_query.h"
+#include "manifold/just_touching.h"
 #include "record/contact_drawer.h"
+#include "user_query.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {

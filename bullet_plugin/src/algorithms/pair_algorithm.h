@@ -8,8 +8,8 @@
 #include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
 
 #include "dgd_bullet/linkage.h"
-#include "pipeline/pair_outcome.h"
-#include "pipeline/pair_state.h"
+#include "pair/pair_state.h"
+#include "pair_outcome.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
@@ -18,7 +18,7 @@ class PairAlgorithm : public btCollisionAlgorithm {
  public:
   /// @param info         If it brings a manifold, that is shared: filled, and not refreshed.
   /// @param is_for_step  Whether the contacts are a step's, and may be ahead of the bodies' motion in it.
-  PairAlgorithm(const btCollisionAlgorithmConstructionInfo& info, Narrowphase& narrowphase, bool is_for_step)
+  PairAlgorithm(const btCollisionAlgorithmConstructionInfo& info, SharedState& narrowphase, bool is_for_step)
       : btCollisionAlgorithm(info), pair_(narrowphase, info.m_manifold, is_for_step) {}
   ~PairAlgorithm() override;
   PairAlgorithm(const PairAlgorithm&) = delete;

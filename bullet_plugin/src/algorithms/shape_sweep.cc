@@ -4,8 +4,8 @@
 
 #include <exception>
 
+#include "bullet_conversions.h"
 #include "dgd/assert.h"
-#include "shapes/bullet_conversions.h"
 #include "shapes/shape_adapter.h"
 
 namespace dgd_bullet {

@@ -14,12 +14,12 @@
 #include <vector>
 
 #include "algorithms/bullet_check.h"
+#include "algorithms/concurrent_pairs.h"
 #include "algorithms/convex_convex_algorithm.h"
 #include "dgd/assert.h"
-#include "dispatch/concurrent_pairs.h"
 #include "dispatch/separated_pairs.h"
 #include "dispatch/thread_team.h"
-#include "pipeline/separation_report.h"
+#include "separation_report.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {

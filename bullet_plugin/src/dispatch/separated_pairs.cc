@@ -5,10 +5,10 @@
 
 #include <limits>
 
+#include "body_velocity.h"
 #include "dgd/assert.h"
-#include "pipeline/body_velocity.h"
-#include "pipeline/pair_motion.h"
-#include "pipeline/pair_state.h"
+#include "pair/pair_state.h"
+#include "pair_motion.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {

@@ -22,7 +22,7 @@
 
 #include "dgd_bullet/linkage.h"
 #include "dispatch/shape_versions.h"
-#include "pipeline/separation_report.h"
+#include "separation_report.h"
 
 class btCollisionObject;
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstring>
 
-#include "pipeline/separating_axis.h"
+#include "pair/separating_axis.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {

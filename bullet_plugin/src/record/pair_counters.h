@@ -7,7 +7,7 @@
 
 #include "dgd_bullet/linkage.h"
 #include "dgd_bullet/statistics.h"
-#include "pipeline/pair_outcome.h"
+#include "pair_outcome.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {

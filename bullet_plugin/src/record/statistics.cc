@@ -3,7 +3,7 @@
 #include <locale>
 #include <sstream>
 
-#include "shapes/shape_type_name.h"
+#include "shape_type_name.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {

@@ -5,8 +5,8 @@
 #include <array>
 #include <limits>
 
+#include "bullet_conversions.h"
 #include "dgd/convex_hull.h"
-#include "shapes/bullet_conversions.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {

@@ -10,8 +10,8 @@
 #include <mutex>
 #include <utility>
 
-#include "algorithms/prefetch.h"
 #include "dgd/assert.h"
+#include "prefetch.h"
 #include "shapes/shape_points.h"
 
 namespace dgd_bullet {

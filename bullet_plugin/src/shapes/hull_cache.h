@@ -21,9 +21,9 @@
 #include <unordered_map>
 #include <vector>
 
+#include "bullet_conversions.h"
 #include "dgd/shapes/polytope.h"
 #include "dgd_bullet/linkage.h"
-#include "shapes/bullet_conversions.h"
 #include "shapes/shape_points.h"
 
 class btConvexShape;

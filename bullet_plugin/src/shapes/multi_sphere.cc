@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "bullet_conversions.h"
 #include "dgd/assert.h"
-#include "shapes/bullet_conversions.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {

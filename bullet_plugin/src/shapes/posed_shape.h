@@ -3,7 +3,7 @@
 #pragma once
 
 #include "dgd/any_set.h"
-#include "shapes/solver_types.h"
+#include "solver_types.h"
 
 namespace dgd_bullet {
 

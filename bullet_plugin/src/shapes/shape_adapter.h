@@ -6,10 +6,10 @@
 
 #include <memory>
 
+#include "bullet_conversions.h"
 #include "dgd/assert.h"
 #include "dgd_bullet/linkage.h"
 #include "dgd_bullet/options.h"
-#include "shapes/bullet_conversions.h"
 #include "shapes/hull_cache.h"
 #include "shapes/posed_shape.h"
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "bullet_conversions.h"
 #include "dgd_bullet/linkage.h"
-#include "shapes/bullet_conversions.h"
 
 class btConvexShape;
 

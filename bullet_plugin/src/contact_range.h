@@ -1,0 +1,60 @@
+// Up to which distance bodies have contacts.
+#pragma once
+
+#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+
+#include <algorithm>
+
+#include "dgd/contact_patch.h"
+#include "dgd_bullet/linkage.h"
+#include "dgd_bullet/options.h"
+#include "lengths.h"
+#include "pair_manifold.h"
+#include "pair_motion.h"
+#include "solver_types.h"
+
+struct btDispatcherInfo;
+
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
+
+/// Distance up to which bodies have contacts, with what a user's query adds; metres.
+inline double ContactDistance(const Options& options, double breaking_threshold, const btManifoldResult& output) {
+  return (options.contact_distance > 0 ? options.contact_distance : breaking_threshold) +
+         double(output.m_closestPointDistanceThreshold);
+}
+
+/// The separations at which bodies are in contact.
+///
+/// A point ahead of touching carries nothing unless the step closes its gap, but by other bodies' impacts it may: so
+/// bodies are in contact within Bullet's own breaking threshold. Where bodies approach each other, though, only if they
+/// really meet, since a contact would act on bodies that pass each other; and bodies that rebound only where they touch
+/// or will within the step, since a gap over the time step would be taken from the speed at which they part.
+struct ContactRange {
+  /// Up to this separation bodies are in contact however they move; metres, negative for an overlap.
+  double touching = 0;
+  /// Beyond this separation they are not, even if they will be by the end of the step; metres.
+  double limit = 0;
+  /// Whether the bodies rebound.
+  bool is_rebound = false;
+};
+
+/// The motion that a step's contacts may be ahead of; none for a manifold that others refresh.
+PairMotion MotionOfStep(const PairManifold& manifold, const BoundedBody& body_a, const BoundedBody& body_b,
+                        const btDispatcherInfo& info);
+
+ContactRange RangeOfContacts(const Options& options, const PairManifold& manifold, const PairMotion& motion,
+                             const btManifoldResult& output);
+
+/// Bodies that are farther apart have no contacts in this step, so that no query needs to go on; metres.
+inline double SeparationLimit(const ContactRange& range, const PairMotion& motion) {
+  return std::max(range.touching, std::min(motion.MaxApproach(), range.limit));
+}
+
+/// What belongs to a patch.
+/// @param is_user_query  Whether a user queries the contacts themselves.
+dgd::PatchSettings<double> PatchSettingsOf(const Options& options, const PairManifold& manifold,
+                                           const ContactRange& range, bool is_user_query);
+
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -1,0 +1,100 @@
+// The contact patch of a solved pair.
+#pragma once
+
+#include "ahead/meeting.h"
+#include "contact_range.h"
+#include "dgd/contact/facing_faces.h"
+#include "dgd/contact/reference_face.h"
+#include "dgd/contact_patch.h"
+#include "dgd_bullet/linkage.h"
+#include "pair_motion.h"
+#include "shapes/posed_shape.h"
+
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
+
+/// The contacts of a solved pair, before they are written anywhere.
+struct PairContacts {
+  dgd::ContactPatch<double> patch;
+  Vector3 normal = Vector3::Zero();  ///< Unit, from the call's first body to the second.
+  PairMotion motion;                 ///< Motion of the bodies in the order that their shapes are solved in.
+  double time = 0;                   ///< Part of the step after which the bodies meet; 0 if they are in touch now.
+  bool may_recycle = false;          ///< Whether the bodies are in touch, or do not come nearer.
+  /// The shape with a face across the normal, in the order that the shapes are solved in.
+  dgd::ReferenceSide side = dgd::ReferenceSide::kNone;
+};
+
+/// What a patch is made by.
+struct PatchRules {
+  const Options& options;
+  const ContactRange& range;
+  const dgd::PatchSettings<double>& settings;
+  const PairMotion& motion;
+  double flush;  ///< NegligibleDistance(), metres.
+};
+
+/// When in a step a patch is found.
+struct Moment {
+  enum class Kind {
+    kInTouch,  ///< At its beginning, of bodies in touch.
+    kApart,    ///< At its beginning, of bodies that stay apart by themselves.
+    kImpact,   ///< Where bodies meet.
+  };
+
+  Kind kind;
+  double remaining = 1;  ///< Part of the step that is left.
+};
+
+/// What is known of a certified contact before the bodies are moved.
+enum class Approach {
+  kNone,     ///< The bodies are too far apart for contacts, and will be at the end of the step.
+  kInTouch,  ///< They are in touch, or do not approach each other: their contacts are those of where they are.
+  kMayMeet,  ///< They approach each other by as much as they are apart.
+};
+Approach ClassifyApproach(const PatchRules& rules, const Contact& contact);
+
+/// Finds the contacts of two shapes in this step: those of where they are, or of where they meet within it.
+/// @param contact        Certified. In and out: that of where they meet, if they are to.
+/// @param plane_between  Contact(const Pose& a, const Pose& b), see FindMeeting().
+/// @param find_patch     ContactPatch(const PosedShape& a, const PosedShape& b, const Contact&, const Moment&): the
+///                       patch where the shapes are.
+/// @param contacts       Out: patch and time.
+template <class PlaneBetween, class FindPatchAt>
+void FindContactsByMotion(const PosedShape& shape_a, const PosedShape& shape_b, const PatchRules& rules,
+                          Contact& contact, const PlaneBetween& plane_between, const FindPatchAt& find_patch,
+                          PairContacts& contacts) {
+  const Approach approach = ClassifyApproach(rules, contact);
+  if (approach == Approach::kNone) return;
+  auto kind = Moment::Kind::kInTouch;
+  if (approach == Approach::kMayMeet) {
+    MovingPair pair(shape_a, shape_b, rules.motion);
+    const Meeting meeting = FindMeeting(pair, contact, rules.flush, plane_between);
+    if (meeting.encounter == Encounter::kMeet) {
+      contact = meeting.contact;
+      contacts.time = pair.time();
+      contacts.patch = find_patch(pair.a(), pair.b(), contact, Moment{Moment::Kind::kImpact, 1 - pair.time()});
+      return pair.MoveToStart(contact.normal, contacts.patch);
+    }
+    const bool is_touching = contact.separation <= rules.range.touching;
+    if (meeting.encounter == Encounter::kPass || !is_touching) return;
+    kind = Moment::Kind::kApart;
+  }
+  contacts.may_recycle = contact.separation <= rules.flush || !rules.motion.MayCoastBy(rules.flush, contact.normal);
+  contacts.patch = find_patch(shape_a, shape_b, contact, Moment{kind});
+}
+
+/// The points of a patch that count: the nearest ones, and what is near and does not come nearer. A corner that lands
+/// within the step beside others in touch counts from the next one: until then the others carry the weight. On average,
+/// a corner carries from the moment that it lands so, since Bullet's solver takes what a step begins with for half a
+/// step before that and half after; to meet it ahead would brake hulls that roll (tests/physics, hull_rolling). What
+/// would overlap by more than the breaking threshold by then counts at once, and in an impact all that lands. Bodies
+/// that stay apart may have points that come down on an arc and go up again: the solver, which takes the chord, would
+/// brake them, and they do not count.
+dgd::ContactPatch<double> FindPatch(const Contact& contact, const dgd::FacingFaces<double>& facing,
+                                    const PatchRules& rules, const Moment& moment);
+
+/// The witness point alone: what Bullet's own algorithm would report.
+dgd::ContactPatch<double> WitnessOnly(const Contact& contact);
+
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -1,0 +1,153 @@
+#include "pair/pair_query.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <BulletCollision/CollisionShapes/btConvexShape.h>
+
+#include <algorithm>
+
+#include "dgd/any_set.h"
+#include "dgd/assert.h"
+#include "pair/least_translation.h"
+#include "shapes/shape_adapter.h"
+
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
+namespace {
+
+/// Relative tolerance of a user's own query, as by contactTest() and contactPairTest(); and how many times the
+/// evaluations of a step its least translation may take: 64 are an expanding polytope, which may start from scratch.
+constexpr double kExact = 1e-12;
+constexpr int kPatience = 5;
+
+/// Bounds that roundoff leaves farther apart than the tolerance still prove a result if they agree to this: 5
+/// micrometres in half a metre, a thousandth of what Bullet's float pairs are off by. Beyond it, the pair is Bullet's.
+constexpr double kCertifiedGap = 1e-5;
+
+bool IsCertified(const Contact& contact) {
+  switch (contact.status) {
+    case dgd::Status::kOptimal:
+    case dgd::Status::kSeparated:
+    case dgd::Status::kCoincidentCenters:
+      return true;
+    case dgd::Status::kStalled:
+    case dgd::Status::kIterationLimit:
+      return contact.RelativeGap() <= kCertifiedGap;
+    default:
+      return false;
+  }
+}
+
+Pose PoseOfSet(const btCollisionObjectWrapper& body) {
+  return FromBullet(body.getWorldTransform(), UpAxis(ConvexShapeOf(body)));
+}
+
+/// The cache in the order of a query.
+PairCache& InOrder(PairCache& cache, const PairBodies& solved, bool is_swapped) {
+  if (is_swapped != cache.IsSwapped()) cache.SwapOrder(PoseOfSet(solved.first), PoseOfSet(solved.second));
+  for (const auto& hull : {&cache.hull_a(), &cache.hull_b()}) {
+    if (*hull != nullptr) (*hull)->Prefetch();
+  }
+  return cache;
+}
+
+dgd::Settings<double> SettingsOf(const Options& options, const QueryLimits& limits, const PairMotion& motion) {
+  return {.relative_tolerance =
+              limits.is_user_query ? std::min(kExact, options.relative_tolerance) : options.relative_tolerance,
+          .max_iterations = options.max_iterations,
+          .separation_limit = SeparationLimit(limits.range, motion)};
+}
+
+}  // namespace
+
+PosedShape AdaptBody(SharedState& narrowphase, const btCollisionObjectWrapper& body, PairCache::Hull& hull,
+                     bool for_user) {
+  return AdaptShape(ConvexShapeOf(body), body.getWorldTransform(), narrowphase.options().geometry_mode,
+                    narrowphase.hulls(), hull, narrowphase.HullUseFor(for_user));
+}
+
+PairQuery::PairQuery(SharedState& narrowphase, const PairBodies& solved, bool is_swapped, const QueryLimits& limits,
+                     double breaking_threshold, const PairMotion& motion, PairCache& cache)
+    : options_(narrowphase.options()),
+      cache_(InOrder(cache, solved, is_swapped)),
+      shape_a_(AdaptBody(narrowphase, solved.first, cache.hull_a(), limits.is_user_query)),
+      shape_b_(AdaptBody(narrowphase, solved.second, cache.hull_b(), limits.is_user_query)),
+      limits_(limits),
+      rules_{options_, limits.range, limits.patch_settings, motion, NegligibleDistance(breaking_threshold)},
+      settings_(SettingsOf(options_, limits, motion)) {
+  if (!options_.warm_start) cache.Clear();
+  MoveCentersTogether(shape_a_, shape_b_);
+}
+
+Contact PairQuery::FindContact() {
+  Contact contact =
+      dgd::GrowthDistance(shape_a_.set, shape_a_.pose, shape_b_.set, shape_b_.pose, settings_, &cache_.warm_start());
+  if (!IsCertified(contact) || contact.status == dgd::Status::kSeparated) return contact;
+  if (contact.separation < -rules_.flush) TurnToFace(contact);
+  if (limits_.is_user_query) {
+    settings_.max_iterations *= kPatience;
+  } else if (IsDeep(contact)) {
+    stage_ = PairOutcome::Stage::kDeep;
+  } else {
+    return contact;
+  }
+  TurnToLeastTranslation(shape_a_, shape_b_, settings_, cache_.warm_start(), contact);
+  return contact;
+}
+
+void PairQuery::TurnToFace(Contact& contact) const {
+  // Of a shape that shows no faces, the deepest point may be over another triangle.
+  if (limits_.face_normal.isZero(0) || shape_a_.set.IsCustom() || shape_b_.set.IsCustom()) return;
+  // A triangle has no depth: of what is larger, its centre is beside the part that is over it, and the direction from
+  // there leans the more the deeper that part is.
+  const Vector3 face =
+      limits_.face_normal.dot(contact.normal) < 0 ? Vector3(-limits_.face_normal) : limits_.face_normal;
+  const Vector3 on_a = SupportPoint(shape_a_, face), on_b = SupportPoint(shape_b_, -face);
+  const double separation = face.dot(on_b - on_a);
+  if (!(separation > contact.separation)) return;
+  contact.normal = face;
+  contact.separation = separation;
+  const bool is_a_flat = shape_a_.set.CoreInradius() < shape_b_.set.CoreInradius();
+  contact.witness_1 = is_a_flat ? Vector3(on_b - separation * face) : on_a;
+  contact.witness_2 = contact.witness_1 + separation * face;
+}
+
+void PairQuery::FindPatch(Contact& contact, PairContacts& contacts) {
+  dgd::WarmStart<double> warm_start = cache_.warm_start();
+  const auto plane_between = [&](const Pose& pose_a, const Pose& pose_b) {
+    return dgd::PlaneBetween(shape_a_.set, pose_a, shape_b_.set, pose_b, warm_start);
+  };
+  const auto patch_of = [&](const PosedShape& a, const PosedShape& b, const Contact& certified, const Moment& moment) {
+    if (!options_.contact_patch) return WitnessOnly(certified);
+    dgd::FacingFaces<double> facing;
+    dgd::FindFacingFaces(a.set, a.pose, b.set, b.pose, certified, options_.angular_tolerance, facing);
+    contacts.side = dgd::ReferenceSideOf(facing);
+    return dgd_bullet::FindPatch(certified, facing, rules_, moment);
+  };
+  FindContactsByMotion(shape_a_, shape_b_, rules_, contact, plane_between, patch_of, contacts);
+  DGD_ASSERT(contacts.patch.size <= limits_.patch_settings.max_points);
+}
+
+PairOutcome PairQuery::OutcomeOf(const Contact& contact, int patch_size) const {
+  PairOutcome outcome{
+      .iterations = contact.iterations, .patch_size = static_cast<std::uint8_t>(patch_size), .stage = stage_};
+  if (contact.status == dgd::Status::kSeparated) {
+    outcome.stage = PairOutcome::Stage::kSeparated;
+  } else if (contact.status != dgd::Status::kCoincidentCenters) {
+    outcome.gap = contact.RelativeGap();
+  }
+  return outcome;
+}
+
+PairOutcome PairQuery::FindContacts(PairContacts& contacts) {
+  Contact contact = FindContact();
+  DGD_ASSERT(contact.iterations >= 0);
+  if (!IsCertified(contact)) return {.fallback = FallbackOf(contact.status)};
+  const Contact solved = contact;
+  FindPatch(contact, contacts);
+  contacts.normal = contact.normal;
+  DGD_ASSERT(contacts.patch.size == 0 || IsUnit(contacts.normal));
+  return OutcomeOf(solved, contacts.patch.size);
+}
+
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

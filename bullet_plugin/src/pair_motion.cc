@@ -1,0 +1,56 @@
+#include "pair_motion.h"
+
+#include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
+#include <BulletCollision/CollisionShapes/btCollisionShape.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include "body_velocity.h"
+#include "dgd/assert.h"
+
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
+
+double BoundingRadius(const btCollisionObject& object, const btVector3& from) {
+  const btBroadphaseProxy* proxy = object.getBroadphaseHandle();
+  if (proxy == nullptr) {
+    return double(object.getCollisionShape()->getAngularMotionDisc() +
+                  (object.getWorldTransform().getOrigin() - from).length());
+  }
+  btVector3 farthest = proxy->m_aabbMax - from;
+  farthest.setMax(from - proxy->m_aabbMin);
+  return double(farthest.length());
+}
+
+BoundedBody::BoundedBody(const btCollisionObject& body)
+    : object(body), radius(BoundingRadius(body, body.getWorldTransform().getOrigin())) {}
+
+PairMotion::Twist PairMotion::Read(const BoundedBody& body, double time_step) {
+  const btCollisionObject& object = body.object;
+  // Apps that make a body kinematic as Bullet's manual says leave it flagged as static, too.
+  if (object.isStaticObject() && !object.isKinematicObject()) return {};
+  const btMultiBodyLinkCollider* link = AsLink(object);
+  const auto twist_of = [&](const BodyVelocity& velocity, const btVector3& acceleration) {
+    return Twist{FromBullet(velocity.linear),
+                 FromBullet(velocity.angular),
+                 FromBullet(btScalar(time_step) * acceleration),
+                 FromBullet(object.getWorldTransform().getOrigin()),
+                 body.radius,
+                 link != nullptr};
+  };
+  if (const btRigidBody* rigid = btRigidBody::upcast(&object)) {
+    return twist_of(VelocityOf(object), rigid->getInvMass() * rigid->getTotalForce());
+  }
+  return link == nullptr ? Twist() : twist_of(VelocityOf(*link), AccelerationOf(*link));
+}
+
+dgd::Motion<double> PairMotion::Twist::MotionOf(const Pose& pose, double time) const {
+  return {pose, time * PredictedLinear(), time * angular, pose.rotation.transpose() * (center - pose.translation)};
+}
+
+PairMotion::PairMotion(const BoundedBody& body_a, const BoundedBody& body_b, double time_step)
+    : a_(Read(body_a, time_step)), b_(Read(body_b, time_step)), time_step_(time_step) {
+  DGD_ASSERT(time_step > 0);
+}
+
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet

@@ -1,0 +1,160 @@
+// How far two bodies approach each other within the time step, by their velocities and the forces on them before the
+// constraints are solved.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+
+#include "bullet_conversions.h"
+#include "dgd/assert.h"
+#include "dgd/motion.h"
+#include "dgd_bullet/linkage.h"
+
+class btCollisionObject;
+
+namespace dgd_bullet {
+inline namespace DGD_BULLET_PRECISION {
+
+/// Distance from a world point, as the body's origin, to the farthest corner of the body's bounding box: no point of
+/// the body is farther. Of a body that is in no broadphase, by Bullet's own bound, which computes a bounding box first.
+double BoundingRadius(const btCollisionObject& object, const btVector3& from);
+
+/// A body, and the distance of its farthest point from its origin, metres.
+struct BoundedBody {
+  explicit BoundedBody(const btCollisionObject& body);
+
+  const btCollisionObject& object;
+  double radius;
+};
+
+class PairMotion {
+ public:
+  /// Bodies at rest to each other.
+  PairMotion() = default;
+
+  /// The bodies' motion over `time_step` seconds. What is neither a rigid body nor a multibody's link counts as at
+  /// rest.
+  PairMotion(const BoundedBody& body_a, const BoundedBody& body_b, double time_step);
+
+  /// Whether this is a motion over a time step, and not the default.
+  bool IsKnown() const { return time_step_ > 0; }
+  double TimeStep() const { return time_step_; }
+
+  /// Whether one of the bodies is a multibody's link.
+  bool IsOfLinks() const { return a_.is_link || b_.is_link; }
+
+  /// Metres by which the surfaces come closer along `normal` (unit, from A to B) at a world point within the step, if
+  /// no constraint acts; negative if they part.
+  double Approach(const Vector3& point, const Vector3& normal) const {
+    return time_step_ * normal.dot(a_.PredictedVelocityAt(point) - b_.PredictedVelocityAt(point));
+  }
+  /// The same by their present velocities alone: what supports a body takes up its weight.
+  double Coasting(const Vector3& point, const Vector3& normal) const {
+    return time_step_ * ApproachSpeed(point, point, normal);
+  }
+  /// The speed at which a point of A and one of B come closer now, and what the forces add to it within the step;
+  /// metres per second.
+  double ApproachSpeed(const Vector3& on_a, const Vector3& on_b, const Vector3& normal) const {
+    return normal.dot(a_.VelocityAt(on_a) - b_.VelocityAt(on_b));
+  }
+  double ApproachSpeedGain(const Vector3& normal) const { return normal.dot(a_.gain - b_.gain); }
+  /// Metres by which the surfaces move past each other across `normal` at a world point within the step.
+  double Passing(const Vector3& point, const Vector3& normal) const {
+    const Vector3 path = time_step_ * (a_.PredictedVelocityAt(point) - b_.PredictedVelocityAt(point));
+    return (path - normal.dot(path) * normal).norm();
+  }
+
+  /// No point of either body approaches the other by more than this: along `normal` (unit, from A to B), or at all.
+  /// Metres.
+  double MaxApproach(const Vector3& normal) const {
+    DGD_ASSERT(!(std::abs(normal.squaredNorm() - 1) > 1e-3));
+    return time_step_ * (normal.dot(RelativeVelocity()) + a_.RimSpeed(normal) + b_.RimSpeed(normal));
+  }
+  double MaxApproach() const {
+    return time_step_ * (RelativeVelocity().norm() + a_.angular.norm() * a_.radius + b_.angular.norm() * b_.radius);
+  }
+  /// Whether MaxApproach() may be as much as `distance`, metres; also where velocities are NaN. Mostly without a root.
+  bool MayApproachBy(double distance, const Vector3& normal) const {
+    return MayCloseBy(distance, normal, normal.dot(RelativeVelocity()));
+  }
+  /// The same by the bodies' present velocities alone.
+  bool MayCoastBy(double distance, const Vector3& normal) const {
+    return MayCloseBy(distance, normal, normal.dot(a_.linear - b_.linear));
+  }
+
+  /// Metres by which turning takes points off the straight lines that Approach() assumes, at most.
+  double MaxArc() const {
+    DGD_ASSERT(time_step_ >= 0);
+    return time_step_ * time_step_ * (a_.angular.squaredNorm() * a_.radius + b_.angular.squaredNorm() * b_.radius) / 2;
+  }
+
+  /// The motion at the present velocities: what supports a body takes up its weight.
+  PairMotion WithoutForces() const {
+    PairMotion coasting = *this;
+    for (Twist* twist : {&coasting.a_, &coasting.b_}) twist->gain = Vector3::Zero();
+    return coasting;
+  }
+
+  /// This motion with the bodies in the other order.
+  PairMotion Reversed() const {
+    PairMotion reversed = *this;
+    std::swap(reversed.a_, reversed.b_);
+    return reversed;
+  }
+
+  /// Whether no point of either body goes farther than `distance`, metres.
+  bool IsWithin(double distance) const {
+    return time_step_ * a_.Speed() <= distance && time_step_ * b_.Speed() <= distance;
+  }
+
+  /// Rotation of body A as body B sees it: radians times the axis, world.
+  Vector3 Turn() const { return time_step_ * (a_.angular - b_.angular); }
+
+  /// How far one body's point that is at a world point goes, as the other body sees it; metres.
+  double Slip(const Vector3& point) const { return time_step_ * (a_.VelocityAt(point) - b_.VelocityAt(point)).norm(); }
+  /// How far the smaller body's rim goes as a direction of its own, now the world's `normal`, tilts in the other's
+  /// eyes; metres.
+  double Tilt(const Vector3& normal) const {
+    return time_step_ * (a_.angular - b_.angular).cross(normal).norm() * std::min(a_.radius, b_.radius);
+  }
+
+  /// The motion of a pose that is fixed to a body over the time step.
+  dgd::Motion<double> MotionOfA(const Pose& pose) const { return a_.MotionOf(pose, time_step_); }
+  dgd::Motion<double> MotionOfB(const Pose& pose) const { return b_.MotionOf(pose, time_step_); }
+
+ private:
+  struct Twist {
+    Vector3 VelocityAt(const Vector3& point) const { return linear + angular.cross(point - center); }
+    Vector3 PredictedVelocityAt(const Vector3& point) const { return VelocityAt(point) + gain; }
+    Vector3 PredictedLinear() const { return linear + gain; }
+    dgd::Motion<double> MotionOf(const Pose& pose, double time) const;
+    double Speed() const { return linear.norm() + angular.norm() * radius; }
+    /// No point goes faster along `normal` by rotation alone, on average over any time: turned by an angle about an
+    /// axis, a unit vector's end goes that angle at most times its distance from the axis.
+    double RimSpeed(const Vector3& normal) const { return angular.cross(normal).norm() * radius; }
+
+    Vector3 linear = Vector3::Zero();   // Velocity of the centre of mass, metres per second.
+    Vector3 angular = Vector3::Zero();  // Radians per second.
+    Vector3 gain = Vector3::Zero();     // What the forces on the body add to its velocity within the step.
+    Vector3 center = Vector3::Zero();   // World, metres.
+    double radius = 0;                  // From the centre to the body's farthest point, metres.
+    bool is_link = false;               // Whether the body is a multibody's link.
+  };
+
+  static Twist Read(const BoundedBody& body, double time_step);
+
+  /// @param along  Speed of the centres' approach along the normal, metres per second.
+  bool MayCloseBy(double distance, const Vector3& normal, double along) const {
+    const double around = a_.angular.lpNorm<1>() * a_.radius + b_.angular.lpNorm<1>() * b_.radius;
+    if (time_step_ * (along + around) < distance) return false;
+    return !(time_step_ * (along + a_.RimSpeed(normal) + b_.RimSpeed(normal)) < distance);
+  }
+
+  Vector3 RelativeVelocity() const { return a_.PredictedLinear() - b_.PredictedLinear(); }
+
+  Twist a_, b_;
+  double time_step_ = 0;
+};
+
+}  // namespace DGD_BULLET_PRECISION
+}  // namespace dgd_bullet
