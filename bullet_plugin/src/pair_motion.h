@@ -58,12 +58,6 @@ class PairMotion {
     return normal.dot(a_.VelocityAt(on_a) - b_.VelocityAt(on_b));
   }
   double ApproachSpeedGain(const Vector3& normal) const { return normal.dot(a_.gain - b_.gain); }
-  /// Metres by which the surfaces move past each other across `normal` at a world point within the step.
-  double Passing(const Vector3& point, const Vector3& normal) const {
-    const Vector3 path = time_step_ * (a_.PredictedVelocityAt(point) - b_.PredictedVelocityAt(point));
-    return (path - normal.dot(path) * normal).norm();
-  }
-
   /// No point of either body approaches the other by more than this: along `normal` (unit, from A to B), or at all.
   /// Metres.
   double MaxApproach(const Vector3& normal) const {
@@ -80,12 +74,6 @@ class PairMotion {
   /// The same by the bodies' present velocities alone.
   bool MayCoastBy(double distance, const Vector3& normal) const {
     return MayCloseBy(distance, normal, normal.dot(a_.linear - b_.linear));
-  }
-
-  /// Metres by which turning takes points off the straight lines that Approach() assumes, at most.
-  double MaxArc() const {
-    DGD_ASSERT(time_step_ >= 0);
-    return time_step_ * time_step_ * (a_.angular.squaredNorm() * a_.radius + b_.angular.squaredNorm() * b_.radius) / 2;
   }
 
   /// The motion at the present velocities: what supports a body takes up its weight.

@@ -44,18 +44,5 @@ TEST_F(OfTwoBodies, KinematicBodyFlaggedAsNothingElse_Moves) {
   EXPECT_EQ(Way(), 2 * kTime);
 }
 
-// The rim is off its tangent by R (1 - cos(angle)) and R (angle - sin(angle)).
-TEST_F(OfTwoBodies, MaxArc_IsNoLessThanTheRimsWayOffItsTangent) {
-  moving_ = MakeRigidBody(shape_, 1, btTransform::getIdentity());
-  EXPECT_EQ(Motion().MaxArc(), 0);
-  const double reach = dgd_bullet::BoundedBody(*moving_).radius;
-  for (const double angle : {0.01, 0.1, 0.7}) {
-    moving_->setAngularVelocity(Vec(0, 0, angle / kTime));
-    const double off = reach * std::hypot(1 - std::cos(angle), angle - std::sin(angle));
-    EXPECT_GE(Motion().MaxArc(), off) << angle;
-    EXPECT_LE(Motion().MaxArc(), 1.1 * off) << angle;
-  }
-}
-
 }  // namespace
 }  // namespace dgd_test

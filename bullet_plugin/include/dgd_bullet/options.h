@@ -10,10 +10,9 @@ class Recorder;
 
 /// What the bodies' surfaces are.
 enum class GeometryMode {
-  kBullet,  ///< What Bullet sees: each shape's core, rounded by its margin; boxes of full size with edges as good as
-            ///< sharp, rounded by a 512th of their least half extent or their margin, whichever is less.
-  kSharp,   ///< No margins: boxes and cylinders of full size with sharp edges, hulls, cones and triangles as they are.
-            ///< Spheres and capsules keep their radius.
+  kBullet,  ///< What Bullet sees: each shape's core, rounded by its margin; boxes of full size with sharp edges.
+  kSharp,  ///< No margins: cylinders of full size with sharp edges, hulls, cones and triangles as they are. Spheres and
+           ///< capsules keep their radius.
 };
 
 /// Writes the message and a line's end to the standard error stream.
@@ -54,8 +53,8 @@ struct Options {
   /// In a dynamics world, also hand over points that are still farther apart than the contact distance if the bodies'
   /// motion makes them touch within the time step: fast impacts are then met, not found when the bodies already
   /// overlap. Needs contact_patch. contactTest() and its like never see such points.
-  /// Physics: a sweep says whether bodies meet, so that those that pass by are not touched; restitution is that of the
-  /// moment of touching (tests/physics: restitution, no ghosts). Off: fast bodies overlap first, or tunnel.
+  /// Physics: a sweep proves whether bodies meet, so that those that pass by are not touched; restitution is that of
+  /// the moment of touching (tests/physics: restitution, near misses). Off: fast bodies overlap first, or tunnel.
   bool speculative_contacts = true;
 
   /// Contacts of faces that stick are anchored where they stuck: Bullet's solver corrects what they have slipped by

@@ -35,7 +35,8 @@ struct PairStatistics : FallbackCounts {
   std::uint64_t solved = 0;     ///< Solved by the growth distance.
   std::uint64_t deep = 0;       ///< Of these: so deep in each other that the least translation decided.
 
-  /// Of all calls but the fallbacks, by evaluations of the support functions up to the growth distance: index i counts those with i of them, the last one those with as many or more.
+  /// Of all calls but the fallbacks, by evaluations of the support functions up to the growth distance: index i counts
+  /// those with i of them, the last one those with as many or more.
   static constexpr std::size_t kMaxIterations = 31;
   std::array<std::uint64_t, kMaxIterations + 1> iterations{};
   /// Largest relative gap between the bounds, upper_bound / lower_bound - 1, of what was solved.

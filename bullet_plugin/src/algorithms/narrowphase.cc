@@ -25,6 +25,8 @@ Algorithm* Make(const btCollisionAlgorithmConstructionInfo& info, Arguments&&...
 
 }  // namespace
 
+Narrowphase::Narrowphase(const Options& options) : SharedState(options) {}
+
 bool Narrowphase::Handles(int type_0, int type_1) {
   const auto handles = [](int type) {
     return btBroadphaseProxy::isConvex(type) && !btBroadphaseProxy::isConvex2d(type);

@@ -16,7 +16,8 @@ class ConvexPlaneAlgorithm;
 /// Outlives the dispatcher and its pairs.
 class Narrowphase : public SharedState {
  public:
-  using SharedState::SharedState;
+  /// Throws std::invalid_argument naming an option that is out of range.
+  explicit Narrowphase(const Options& options);
 
   /// Whether the growth distance solves pairs of these shape types: both convex and neither two-dimensional, which
   /// Bullet's GJK treats in another way.

@@ -48,9 +48,11 @@ class FrictionAnchors {
   /// @param manifold   The pair's own, of bodies that Bullet itself anchors nothing on.
   /// @param time_step  Seconds; 0 to anchor nothing.
   FrictionAnchors(const btPersistentManifold& manifold, btScalar time_step)
-      : a_(*manifold.getBody0()), b_(*manifold.getBody1()), time_step_(time_step) {
+      : a_(*manifold.getBody0()),
+        b_(*manifold.getBody1()),
+        time_step_(time_step),
+        max_slip_(btScalar(kSlipPart) * manifold.getContactBreakingThreshold()) {
     DGD_ASSERT(!(time_step < 0));
-    max_slip_ = btScalar(kSlipPart) * manifold.getContactBreakingThreshold();
     can_anchor_ = time_step > 0 && !a_.is_moved_by_app && !b_.is_moved_by_app;
     if (!can_anchor_) return;
     const btScalar farthest =
@@ -153,8 +155,9 @@ class FrictionAnchors {
 
   const Body a_, b_;
   const btScalar time_step_;
+  const btScalar max_slip_;                            // Metres.
   btVector3 linear_at_a_{0, 0, 0}, turning_{0, 0, 0};  // Velocity of A's origin as B sees it, and angular velocity.
-  btScalar max_slip_ = 0, roundoff_ = 0;               // Metres.
+  btScalar roundoff_ = 0;                              // Metres.
   bool can_anchor_;
 };
 
