@@ -1,10 +1,12 @@
 #include "bench/contest.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 
 #include "bench/growth_methods.h"
+#include "bench/guarded_peer.h"
 #include "bench/peers/bullet_peers.h"
 #include "bench/peers/fcl_peer.h"
 #include "bench/peers/ours_peer.h"
@@ -53,7 +55,7 @@ const std::vector<ContestMethod>& AllContestMethods() {
     std::vector<ContestMethod> methods = {
         {.key = "bullet_gjk_epa", .title = "Bullet GJK/EPA" + of_bullet, .how = MakeBulletGjkEpa},
         {.key = "bullet_mpr", .title = "Bullet MPR" + of_bullet, .how = MakeBulletMpr, .answers_apart = false},
-        {.key = "fcl", .title = "FCL (libccd), double", .how = MakeFclPeer},
+        {.key = "fcl", .title = "FCL (libccd), double", .how = MakeFclPeer, .may_abort = true},
         {.key = "signed_distance", .title = "ours, signed distance", .how = MakeOursPeer},
         {.key = "signed_distance_warm",
          .title = "ours, signed distance, warm",
@@ -97,13 +99,18 @@ bool ContestPair::Takes(std::size_t method) const {
 }
 
 std::vector<MethodSample> ContestPair::Measure(int rounds, int repeats) const {
-  const std::vector<double> times = LeastOfRounds(
-      rounds, methods_.size(), [&](std::size_t m) { return Takes(m) ? Time(m, repeats) : MethodSample::kNone; });
+  std::vector<char> gives_up(methods_.size());
+  for (std::size_t m = 0; m < methods_.size(); ++m) gives_up[m] = Takes(m) && GivesUp(m);
+  const std::vector<double> times = LeastOfRounds(rounds, methods_.size(), [&](std::size_t m) {
+    return Takes(m) && !gives_up[m] ? Time(m, repeats) : MethodSample::kNone;
+  });
   const Referee referee(judged_);
   std::vector<MethodSample> samples(methods_.size());
   for (std::size_t m = 0; m < methods_.size(); ++m) {
     if (!Takes(m)) continue;
-    if (peers_[m] != nullptr) {
+    if (gives_up[m]) {
+      samples[m] = SampleOf(std::nullopt, methods_[m]->answers_apart, referee);
+    } else if (peers_[m] != nullptr) {
       samples[m] = SampleOf(peers_[m]->Ask(), methods_[m]->answers_apart, referee);
     } else {
       samples[m] = SampleOf(growth_->Solve(std::get<GrowthQuery>(methods_[m]->how)), referee);
@@ -111,6 +118,11 @@ std::vector<MethodSample> ContestPair::Measure(int rounds, int repeats) const {
     samples[m].microseconds = times[m];
   }
   return samples;
+}
+
+bool ContestPair::GivesUp(std::size_t method) const {
+  constexpr std::chrono::seconds kPatience(5);
+  return methods_[method]->may_abort && *AskInChild(*peers_[method], 1, kPatience).reason != '\0';
 }
 
 double ContestPair::Time(std::size_t method, int repeats) const {

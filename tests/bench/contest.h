@@ -22,6 +22,7 @@ struct ContestMethod {
   std::variant<GrowthQuery, MakePeer> how;
   bool is_warm_peer = false;
   bool answers_apart = true;  ///< Says something of sets that are apart.
+  bool may_abort = false;  ///< Whether an assertion of its own may end the process: it is asked in another one first.
 
   bool IsWarm() const;
   double Tolerance() const;
@@ -57,6 +58,8 @@ class ContestPair {
   bool Takes(std::size_t method) const;
 
  private:
+  /// Whether a method that may abort does, or never returns.
+  bool GivesUp(std::size_t method) const;
   double Time(std::size_t method, int repeats) const;
 
   const ContestMethods& methods_;
