@@ -11,13 +11,10 @@
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
-namespace {
 
 bool Rebounds(const btManifoldResult& output) {
   return gCalculateCombinedRestitutionCallback(output.getBody0Internal(), output.getBody1Internal()) > 0;
 }
-
-}  // namespace
 
 PairMotion MotionOfStep(const PairManifold& manifold, const BoundedBody& body_a, const BoundedBody& body_b,
                         const btDispatcherInfo& info) {

@@ -39,6 +39,9 @@ struct ContactRange {
   bool is_rebound = false;
 };
 
+/// Whether a result's bodies have a restitution.
+bool Rebounds(const btManifoldResult& output);
+
 /// The motion that a step's contacts may be ahead of; none for a manifold that others refresh.
 PairMotion MotionOfStep(const PairManifold& manifold, const BoundedBody& body_a, const BoundedBody& body_b,
                         const btDispatcherInfo& info);

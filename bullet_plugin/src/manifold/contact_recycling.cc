@@ -216,8 +216,8 @@ void RecycledContacts::TurnNormals(const btCollisionObjectWrapper& body_a, const
   for (int i = 0; i < manifold.getNumContacts(); ++i) manifold.getContactPoint(i).m_normalWorldOnB = normal;
 }
 
-bool RecycledContacts::Update(const Side& a, const Side& b, const Options& options, const PairMotion& motion,
-                              btPersistentManifold& manifold, btManifoldResult& output) {
+bool RecycledContacts::Update(const Side& a, const Side& b, const Options& options, btScalar time_step,
+                              const PairMotion& motion, btPersistentManifold& manifold, btManifoldResult& output) {
   DGD_ASSERT(output.getPersistentManifold() == &manifold);
   const PoseChange change = Compare(a, b, manifold);
   if (change == PoseChange::kChanged) return false;
@@ -226,8 +226,8 @@ bool RecycledContacts::Update(const Side& a, const Side& b, const Options& optio
   const bool was_loaded = IsLoaded(manifold);
   const ContactMaterials materials(*output.getBody0Internal(), *output.getBody1Internal());
   for (int i = 0; i < manifold.getNumContacts(); ++i) materials.ApplyTo(manifold.getContactPoint(i));
-  if (options.friction_anchors && motion.IsKnown() && manifold.getNumContacts() >= kMinAnchors) {
-    const FrictionAnchors anchors(manifold, btScalar(motion.TimeStep()));
+  if (options.friction_anchors && time_step > 0 && manifold.getNumContacts() >= kMinAnchors) {
+    const FrictionAnchors anchors(manifold, time_step);
     for (int i = 0; i < manifold.getNumContacts(); ++i) anchors.RefreshRecycled(manifold.getContactPoint(i));
     CountStep(manifold);
   } else {

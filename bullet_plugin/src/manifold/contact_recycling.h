@@ -82,9 +82,10 @@ class RecycledContacts {
                     std::unique_ptr<RecycledContacts>& recycled);
 
   /// Updates the contacts of a pair that is as it was: their distances, and what the bodies' materials make of them.
-  /// @param motion  The bodies' motion in the step, in the manifold's order.
+  /// @param time_step  Seconds, for friction anchors.
+  /// @param motion     The bodies' motion in the step, in the manifold's order, if they rebound.
   /// @return whether it is.
-  bool Update(const Side& a, const Side& b, const Options& options, const PairMotion& motion,
+  bool Update(const Side& a, const Side& b, const Options& options, btScalar time_step, const PairMotion& motion,
               btPersistentManifold& manifold, btManifoldResult& output);
 
  private:

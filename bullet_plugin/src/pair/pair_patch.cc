@@ -49,7 +49,7 @@ dgd::ContactPatch<double> FindPatch(const Contact& contact, const dgd::FacingFac
     if (overlap < -rules.flush) return separation <= settings.contact_distance;
     if (moment.kind == Moment::Kind::kApart) return false;
     const bool is_impact = moment.kind == Moment::Kind::kImpact && !rules.range.is_rebound;
-    return is_impact || overlap > settings.spacing;
+    return is_impact || moment.remaining * rules.motion.Approach(point, contact.normal) - separation > settings.spacing;
   };
   return dgd::FindContactPatch(contact, facing, touching, counts);
 }

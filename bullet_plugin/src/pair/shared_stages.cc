@@ -16,13 +16,14 @@ bool UpdateRecycledContacts(PairState& pair, const RecycledContacts::Side& a, co
                             const PairCall& call) {
   if (IsUserQuery(call.output)) return false;
   DGD_ASSERT(pair.recycled != nullptr && pair.manifold.IsOwn() && pair.manifold);
+  // Bodies that lie still, or move together, do not approach each other: only a rebound has to know how little.
   PairMotion motion;
-  if (pair.is_for_step) {
+  if (pair.is_for_step && Rebounds(call.output)) {
     const BoundedBody bounded_a(*call.bodies.first.getCollisionObject()),
         bounded_b(*call.bodies.second.getCollisionObject());
     motion = MotionOfStep(pair.manifold, bounded_a, bounded_b, call.info);
   }
-  return pair.recycled->Update(a, b, pair.options(), motion, *pair.manifold, call.output);
+  return pair.recycled->Update(a, b, pair.options(), call.info.m_timeStep, motion, *pair.manifold, call.output);
 }
 
 PairOutcome WriteContacts(PairState& pair, const PairCall& call, const PairContacts& contacts, bool is_swapped,
