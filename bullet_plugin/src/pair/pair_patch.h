@@ -87,9 +87,9 @@ void FindContactsByMotion(const PosedShape& shape_a, const PosedShape& shape_b, 
 /// within the step beside others in touch counts from the next one: until then the others carry the weight. On average,
 /// a corner carries from the moment that it lands so, since Bullet's solver takes what a step begins with for half a
 /// step before that and half after; to meet it ahead would brake hulls that roll (tests/plugin, RollingHull). What
-/// would overlap by more than the breaking threshold by then counts at once, and in an impact all that lands, unless
-/// the bodies rebound: each point would take the whole rebound. Bodies that stay apart may have points that come down
-/// on an arc and go up again: the solver, which takes the chord, would brake them, and they do not count.
+/// would overlap by more than half the breaking threshold by then counts at once, and in an impact all that lands,
+/// unless the bodies rebound: each point would take the whole rebound. Bodies that stay apart may have points that come
+/// down on an arc and go up again: the solver, which takes the chord, would brake them, and they do not count.
 dgd::ContactPatch<double> FindPatch(const Contact& contact, const dgd::FacingFaces<double>& facing,
                                     const PatchRules& rules, const Moment& moment);
 
