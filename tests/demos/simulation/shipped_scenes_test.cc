@@ -24,8 +24,7 @@ std::vector<std::string> ShippedScenes() {
 
 std::vector<NarrowphaseChoice> Choices() {
   std::vector<NarrowphaseChoice> choices;
-  for (const char* name :
-       {"builtin", "dgd", "dgd:geometry_mode=sharp", "dgd:keep_empty_manifolds=off"}) {
+  for (const char* name : {"builtin", "dgd", "dgd:geometry_mode=sharp", "dgd:keep_empty_manifolds=off"}) {
     choices.push_back(NarrowphaseChoice::Named(name));
   }
   return choices;
