@@ -58,6 +58,7 @@ class PairMotion {
     return normal.dot(a_.VelocityAt(on_a) - b_.VelocityAt(on_b));
   }
   double ApproachSpeedGain(const Vector3& normal) const { return normal.dot(a_.gain - b_.gain); }
+
   /// No point of either body approaches the other by more than this: along `normal` (unit, from A to B), or at all.
   /// Metres.
   double MaxApproach(const Vector3& normal) const {

@@ -22,7 +22,7 @@ struct ContestMethod {
   std::variant<GrowthQuery, MakePeer> how;
   bool is_warm_peer = false;
   bool answers_apart = true;  ///< Says something of sets that are apart.
-  bool may_abort = false;  ///< Whether an assertion of its own may end the process: it is asked in another one first.
+  bool may_abort = false;  ///< Whether an assertion of its own may end the process: it is queried in another one first.
 
   bool IsWarm() const;
   double Tolerance() const;

@@ -1,5 +1,5 @@
-// What an observer of a query is told: once for each iteration, bounds that only approach each other, and at last those
-// of the result.
+// What an observer of a query is observed: once for each iteration, bounds that only approach each other, and at last
+// those of the result.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -35,25 +35,25 @@ int CheckObserver(const AnySet<double, L>& set_1, const AnySet<double, L>& set_2
     const AnyPair<double, L> pair(set_1, pose_1, set_2, pose_2);
     dgd::WarmStart<double, L> warm_start;
     for (int frame = 0; frame < 2; ++frame) {
-      std::vector<Iterate> told;
+      std::vector<Iterate> observed;
       const auto result =
-          pair.GrowthDistance({}, &warm_start, [&told](const Iterate& iterate) { told.push_back(iterate); });
+          pair.GrowthDistance({}, &warm_start, [&observed](const Iterate& iterate) { observed.push_back(iterate); });
       EXPECT_EQ(result.status, dgd::Status::kOptimal);
-      EXPECT_EQ(told.size(), static_cast<std::size_t>(result.iterations));
+      EXPECT_EQ(observed.size(), static_cast<std::size_t>(result.iterations));
       if (testing::Test::HasFailure()) return most;
       most = std::max(most, result.iterations);
-      for (std::size_t k = 0; k < told.size(); ++k) {
-        EXPECT_EQ(told[k].iteration, static_cast<int>(k) + 1);
-        EXPECT_NEAR(told[k].normal.norm(), 1, 1e-14);
-        EXPECT_LE(told[k].lower_bound, told[k].upper_bound);
+      for (std::size_t k = 0; k < observed.size(); ++k) {
+        EXPECT_EQ(observed[k].iteration, static_cast<int>(k) + 1);
+        EXPECT_NEAR(observed[k].normal.norm(), 1, 1e-14);
+        EXPECT_LE(observed[k].lower_bound, observed[k].upper_bound);
         if (k == 0) continue;
         // The lower one but for rounding: see LowerBound() in solver/ray_intersection.h.
-        EXPECT_GE(told[k].lower_bound, told[k - 1].lower_bound * (1 - 2 * dgd::kEpsilon<double>));
-        EXPECT_LE(told[k].upper_bound, told[k - 1].upper_bound);
+        EXPECT_GE(observed[k].lower_bound, observed[k - 1].lower_bound * (1 - 2 * dgd::kEpsilon<double>));
+        EXPECT_LE(observed[k].upper_bound, observed[k - 1].upper_bound);
       }
-      EXPECT_EQ(told.back().lower_bound, result.lower_bound);
-      EXPECT_EQ(told.back().upper_bound, result.upper_bound);
-      EXPECT_EQ(told.back().normal, result.normal);
+      EXPECT_EQ(observed.back().lower_bound, result.lower_bound);
+      EXPECT_EQ(observed.back().upper_bound, result.upper_bound);
+      EXPECT_EQ(observed.back().normal, result.normal);
     }
   }
   return most;
@@ -85,12 +85,12 @@ TEST(Observer, IterationLimit_EndsTheTelling) {
   const auto cone = Erase(dgd::RoundedSet{dgd::Cone<double>(0.6, 1.5)});
   dgd::Pose<double> pose;
   pose.translation = {1, 2, 0.5};
-  int told = 0;
+  int observed = 0;
   const AnyPair<double, 3> pair(cone, {}, cone, pose);
   const auto result =
-      pair.GrowthDistance({.max_iterations = 2}, nullptr, [&told](const dgd::Iterate<double, 3>&) { ++told; });
+      pair.GrowthDistance({.max_iterations = 2}, nullptr, [&observed](const dgd::Iterate<double, 3>&) { ++observed; });
   EXPECT_EQ(result.status, dgd::Status::kIterationLimit);
-  EXPECT_EQ(told, 2);
+  EXPECT_EQ(observed, 2);
 }
 
 TEST(Observer, Watching_DoesNotChangeTheResult) {

@@ -42,7 +42,7 @@ struct Count {
 
 /// Two sets that drift past each other, shaken, for some frames: queried by following, and from scratch.
 template <class S>
-void Walk(Random& random, const AnySet<S, 3>& set_1, const AnySet<S, 3>& set_2, Count& count) {
+void QueryDrift(Random& random, const AnySet<S, 3>& set_1, const AnySet<S, 3>& set_2, Count& count) {
   using PolytopeSet = dgd::RoundedSet<ErasedVertexCore<S, 3>>;
   const bool is_polytope = std::holds_alternative<PolytopeSet>(set_1) && std::holds_alternative<PolytopeSet>(set_2);
   const auto radius_of = [](const auto& set) { return double(set.radius); };
@@ -113,12 +113,12 @@ void Walk(Random& random, const AnySet<S, 3>& set_1, const AnySet<S, 3>& set_2, 
 
 /// With and without vertices on the other side.
 template <class S>
-void WalkCurved(Random& random, S radius, const AnySet<S, 3>& hull, Count& count) {
+void QueryCurvedDrift(Random& random, S radius, const AnySet<S, 3>& hull, Count& count) {
   const auto cylinder = Erase(dgd::RoundedSet{dgd::Cylinder<S>(S(0.3), S(0.2)), radius});
   const auto cone = Erase(dgd::RoundedSet{dgd::Cone<S>(S(0.3), S(0.6)), radius});
-  Walk(random, cylinder, hull, count);
-  Walk(random, cylinder, cone, count);
-  Walk(random, cone, hull, count);
+  QueryDrift(random, cylinder, hull, count);
+  QueryDrift(random, cylinder, cone, count);
+  QueryDrift(random, cone, hull, count);
 }
 
 template <class S>
@@ -137,17 +137,17 @@ void PassAllTypes(int rounds) {
     const auto triangle = Erase(dgd::RoundedSet{dgd::Triangle<S>(vector(), vector(), vector()), radius});
     const auto capsule = Erase(dgd::Capsule(radius, S(0.3)));
     const auto sphere = Erase(dgd::Sphere(S(0.3)));
-    Walk(random, rounded_hull, rounded_hull, count);
-    Walk(random, rounded_hull, rounded_large, count);
-    Walk(random, sharp_hull, sharp_hull, count);
-    Walk(random, box, rounded_hull, count);
-    Walk(random, box, box, count);
-    Walk(random, triangle, rounded_hull, count);
-    Walk(random, capsule, box, count);
-    Walk(random, capsule, capsule, count);
-    Walk(random, sphere, rounded_hull, count);
-    Walk(random, sphere, sphere, count);
-    WalkCurved<S>(random, radius, rounded_hull, curved);
+    QueryDrift(random, rounded_hull, rounded_hull, count);
+    QueryDrift(random, rounded_hull, rounded_large, count);
+    QueryDrift(random, sharp_hull, sharp_hull, count);
+    QueryDrift(random, box, rounded_hull, count);
+    QueryDrift(random, box, box, count);
+    QueryDrift(random, triangle, rounded_hull, count);
+    QueryDrift(random, capsule, box, count);
+    QueryDrift(random, capsule, capsule, count);
+    QueryDrift(random, sphere, rounded_hull, count);
+    QueryDrift(random, sphere, sphere, count);
+    QueryCurvedDrift<S>(random, radius, rounded_hull, curved);
   }
   count.Print("polytopes");
   EXPECT_GT(count.followed, 0.7 * count.frames);

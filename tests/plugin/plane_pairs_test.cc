@@ -212,7 +212,7 @@ double DeepestLanding(Route route) {
   return std::accumulate(deepest.begin(), deepest.end(), 0.0) / kBodies;
 }
 
-// The first corner is met ahead. One that comes down beside another counts once it has landed, as true rolling and
+// The first corner is met ahead. One that comes down next to another counts once it has landed, as true rolling and
 // rocking want it, and is up to a step's way deep by then.
 TEST(PlaneLanding, Bodies_SinkInLessDeepThanOnTheBuiltin) {
   const double builtin = DeepestLanding(Route::kBuiltin), ours = DeepestLanding(Route::kConfiguration);

@@ -8,7 +8,7 @@
 // Bodies move at the velocities that they have now. Weight is left out: what supports a body takes it up, and a body
 // that slides over a seam would seem to sink into it.
 //
-// Physics: a sweep proves by planes how long the bodies stay apart (dgd/time_of_impact.h), so that no contact is early;
+// Physics: a sweep proves by planes how long the bodies stay apart (dgd/time_of_impact.h), so that no impact is missed;
 // restitution is that of the moment of touching (manifold/restitution.h).
 #pragma once
 

@@ -46,13 +46,14 @@ PairOutcome ConvexConvexAlgorithm::RunPipeline(const PairCall& call) {
 }
 
 std::optional<Fallback> ConvexConvexAlgorithm::FindTriangleContacts(const PairBodies& convex_and_triangle,
-                                                                    const TriangleQuery& query,
+                                                                    const Vector3& normal, const TriangleQuery& query,
                                                                     PairContacts& contacts) {
   DGD_ASSERT(!pair_.manifold.IsOwn());
   if (Recorder* recorder = pair_.options().recorder) {
     recorder->Add(convex_and_triangle.first, convex_and_triangle.second);
   }
-  const PairOutcome outcome = dgd_bullet::FindTriangleContacts(pair_, cache_, convex_and_triangle, query, contacts);
+  const PairOutcome outcome =
+      dgd_bullet::FindTriangleContacts(pair_, cache_, convex_and_triangle, normal, query, contacts);
   Count(convex_and_triangle, outcome);
   return outcome.fallback;
 }

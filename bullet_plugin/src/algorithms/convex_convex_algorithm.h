@@ -32,9 +32,10 @@ class ConvexConvexAlgorithm final : public PairAlgorithm {
 
   /// Finds the contacts with a triangle of a mesh, instead of processCollision(): the mesh chooses among all triangles'
   /// contacts, and writes them.
+  /// @param normal  See dgd_bullet::FindTriangleContacts().
   /// @return why the pair is not solved, if it is not; that is counted.
-  std::optional<Fallback> FindTriangleContacts(const PairBodies& convex_and_triangle, const TriangleQuery& query,
-                                               PairContacts& contacts);
+  std::optional<Fallback> FindTriangleContacts(const PairBodies& convex_and_triangle, const Vector3& normal,
+                                               const TriangleQuery& query, PairContacts& contacts);
 
   /// Solves a pair that FindTriangleContacts() has not solved by Bullet's own algorithm, into the result.
   void FallBack(const PairBodies& bodies, const btDispatcherInfo& info, btManifoldResult& output) {

@@ -179,7 +179,8 @@ class TriangleVisit final : public btTriangleCallback {
 
   void AddContacts(ConvexConvexAlgorithm& algorithm, const btCollisionObjectWrapper& triangle, int index) {
     PairContacts& found = step_.found;
-    const std::optional<Fallback> failure = algorithm.FindTriangleContacts({convex_, triangle}, query_, found);
+    const std::optional<Fallback> failure =
+        algorithm.FindTriangleContacts({convex_, triangle}, step_.contacts.NormalOf(index), query_, found);
     step_.triangles.back().time = found.time;
     step_.triangles.back().has_patch = found.patch.size > 0;
     if (!failure) return step_.contacts.Add(index, found.patch, found.normal);
@@ -276,7 +277,6 @@ bool ConvexMeshAlgorithm::FindContacts(const btCollisionObjectWrapper& convex, c
   const TriangleQuery query{.motion = motion,
                             .reverse_motion = reverse,
                             .limits = {range, PatchSettingsOf(options, shared, range, is_user_query), is_user_query},
-                            .angular_tolerance = options.angular_tolerance,
                             .flush = NegligibleDistance(shared.BreakingThreshold())};
   TriangleVisit visit(convex, mesh, info, query, *m_dispatcher, *step_, output);
   visit.Gather();

@@ -44,15 +44,15 @@ bool IsTowards(const Vector3& normal, const PosedShape& convex, const PosedShape
 }
 
 /// The contacts of a pair where it has been moved to, moved back to the step's beginning.
-FaceContacts FindFaceContacts(const MovingPair& pair, const Vector3& normal, const TriangleQuery& query,
+FaceContacts FindFaceContacts(const MovingPair& pair, const Vector3& normal, double angular_tolerance,
                               const PatchRules& rules) {
-  DGD_ASSERT(IsUnit(normal) && !(query.flush < 0));
+  DGD_ASSERT(IsUnit(normal) && !(rules.flush < 0));
   Contact contact;
   contact.normal = normal;
   contact.witness_1 = SupportPoint(pair.a(), normal);
   contact.separation = normal.dot(SupportPoint(pair.b(), -normal) - contact.witness_1);
   contact.witness_2 = contact.witness_1 + contact.separation * normal;
-  const dgd::FacingFaces<double> facing = FindFacing(pair.a(), pair.b(), contact, query.angular_tolerance);
+  const dgd::FacingFaces<double> facing = FindFacing(pair.a(), pair.b(), contact, angular_tolerance);
   const dgd::Corner<double>* nearest = facing.Nearest();
   if (nearest == nullptr) return {};
   contact.separation = nearest->Separation();
@@ -73,13 +73,12 @@ FaceContacts FindTriangleFaceContacts(SharedState& narrowphase, PairCache& cache
   const bool for_user = query.limits.is_user_query;
   const PosedShape convex = AdaptBody(narrowphase, convex_and_triangle.first, hull, for_user);
   const PosedShape triangle = AdaptBody(narrowphase, convex_and_triangle.second, no_hull, for_user);
-  // Where they meet, the body may be on the other side of a triangle that it comes to from aside.
+  // Where they meet, the body may be on the other side of a triangle that it reaches from outside of it.
   const Vector3 towards = IsTowards(normal, convex, triangle, cache) ? normal : Vector3(-normal);
   MovingPair pair(convex, triangle, query.motion);
   pair.MoveTo(time);
-  const PatchRules rules{narrowphase.options(), query.limits.range, query.limits.patch_settings, query.motion,
-                         query.flush};
-  return FindFaceContacts(pair, towards, query, rules);
+  const PatchRules rules{query.limits.range, query.limits.patch_settings, query.motion, query.flush};
+  return FindFaceContacts(pair, towards, narrowphase.options().angular_tolerance, rules);
 } catch (const std::exception&) {
   return {};  // FindTriangleContacts() has counted it.
 }

@@ -13,7 +13,7 @@ bool IsDeep(const Contact& contact);
 
 /// Turns the normal of a solved pair to where the shapes overlap least, or are farthest apart, with the separation and
 /// the witness points; leaves the contact as it is if that gains nothing.
-/// @param contact               Result of dgd::GrowthDistance() with these settings and this warm start.
+/// @param contact  In and out: the result of dgd::GrowthDistance() with these settings and this warm start.
 void TurnToLeastTranslation(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Settings<double>& settings,
                             const dgd::WarmStart<double>& warm_start, Contact& contact);
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "dgd/assert.h"
-#include "dgd_bullet/options.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {

@@ -19,18 +19,19 @@ struct PairContacts {
   Vector3 normal = Vector3::Zero();  ///< Unit, from the call's first body to the second.
   PairMotion motion;                 ///< Motion of the bodies in the order that their shapes are solved in.
   double time = 0;                   ///< Part of the step after which the bodies meet; 0 if they are in touch now.
-  bool may_recycle = false;          ///< Whether the bodies are in touch, or do not come nearer.
+  /// Whether the next step may recycle the contacts: the bodies are in touch, or do not come nearer. Of those that do,
+  /// others may touch next.
+  bool may_recycle = false;
   /// The shape with a face across the normal, in the order that the shapes are solved in.
   dgd::ReferenceSide side = dgd::ReferenceSide::kNone;
 };
 
-/// What a patch is made by.
+/// What decides which points of a pair count in a step.
 struct PatchRules {
-  const Options& options;
   const ContactRange& range;
   const dgd::PatchSettings<double>& settings;
-  const PairMotion& motion;
-  double flush;  ///< NegligibleDistance(), metres.
+  const PairMotion& motion;  ///< Of the bodies in the order that their shapes are solved in.
+  double flush;              ///< NegligibleDistance(), metres.
 };
 
 /// When in a step a patch is found.
@@ -58,7 +59,7 @@ Approach ClassifyApproach(const PatchRules& rules, const Contact& contact);
 /// @param plane_between  Contact(const Pose& a, const Pose& b), see FindMeeting().
 /// @param find_patch     ContactPatch(const PosedShape& a, const PosedShape& b, const Contact&, const Moment&): the
 ///                       patch where the shapes are.
-/// @param contacts       Out: patch and time.
+/// @param contacts       Out: patch, time and may_recycle; an empty patch if there are no contacts.
 template <class PlaneBetween, class FindPatchAt>
 void FindContactsByMotion(const PosedShape& shape_a, const PosedShape& shape_b, const PatchRules& rules,
                           Contact& contact, const PlaneBetween& plane_between, const FindPatchAt& find_patch,
@@ -84,12 +85,13 @@ void FindContactsByMotion(const PosedShape& shape_a, const PosedShape& shape_b, 
 }
 
 /// The points of a patch that count: the nearest ones, and what is near and does not come nearer. A corner that lands
-/// within the step beside others in touch counts from the next one: until then the others carry the weight. On average,
-/// a corner carries from the moment that it lands so, since Bullet's solver takes what a step begins with for half a
-/// step before that and half after; to meet it ahead would brake hulls that roll (tests/plugin, RollingHull). What
-/// would overlap by more than half the breaking threshold by then counts at once, and in an impact all that lands,
-/// unless the bodies rebound: each point would take the whole rebound. Bodies that stay apart may have points that come
-/// down on an arc and go up again: the solver, which takes the chord, would brake them, and they do not count.
+/// within the step next to others in touch counts from the next one: until then the others carry the weight. On
+/// average, a corner carries from the moment that it lands so, since Bullet's solver takes what a step begins with for
+/// half a step before that and half after; to meet it ahead would brake hulls that roll (tests/plugin, RollingHull).
+/// What would overlap by more than half the breaking threshold by then counts at once, or by more than all of it with
+/// what forces add, and in an impact all that lands, unless the bodies rebound: each point would take the whole
+/// rebound. Bodies that stay apart may have points that come down on an arc and go up again: the solver, which takes
+/// the chord, would brake them, and they do not count.
 dgd::ContactPatch<double> FindPatch(const Contact& contact, const dgd::FacingFaces<double>& facing,
                                     const PatchRules& rules, const Moment& moment);
 

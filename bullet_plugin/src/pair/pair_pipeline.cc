@@ -3,7 +3,6 @@
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
-#include <BulletCollision/CollisionShapes/btTriangleShape.h>
 
 #include <algorithm>
 #include <optional>
@@ -20,15 +19,6 @@
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 namespace {
-
-/// Unit normal of a triangle; world, zero if it has no area.
-Vector3 NormalOf(const btCollisionObjectWrapper& triangle) {
-  const btVector3* corners = static_cast<const btTriangleShape*>(triangle.getCollisionShape())->m_vertices1;
-  const Vector3 a = FromBullet(corners[0]);
-  const Vector3 area = (FromBullet(corners[1]) - a).cross(FromBullet(corners[2]) - a);
-  if (!(area.squaredNorm() > 0)) return Vector3::Zero();
-  return FromBullet(triangle.getWorldTransform()).rotation * area.normalized();
-}
 
 /// Exchanges the roles of the two shapes.
 void Swap(PairContacts& contacts) {
@@ -84,21 +74,22 @@ PairOutcome RunPipeline(PairState& pair, PairCache& cache, const PairCall& call)
   return outcome.fallback ? SolveByBullet(pair, call, *outcome.fallback) : outcome;
 }
 
-PairOutcome FindTriangleContacts(PairState& pair, PairCache& cache, const PairBodies& bodies,
-                                 const TriangleQuery& triangle_query, PairContacts& contacts) {
+PairOutcome FindTriangleContacts(PairState& pair, PairCache& cache, const PairBodies& convex_and_triangle,
+                                 const Vector3& normal, const TriangleQuery& triangle_query, PairContacts& contacts) {
   contacts.patch.size = 0;
   contacts.time = 0;
-  const bool is_swapped = ComesBefore(bodies.second, bodies.first);
+  const bool is_swapped = ComesBefore(convex_and_triangle.second, convex_and_triangle.first);
   DGD_ASSERT(!pair.manifold.IsOwn());
   const PairMotion& motion = is_swapped ? triangle_query.reverse_motion : triangle_query.motion;
   const double contact_distance = std::max(triangle_query.limits.range.touching, 0.0);
   const auto get_motion = [&](const BoundedBody&, const BoundedBody&) -> const PairMotion& { return motion; };
-  if (const auto outcome = TryCachedAxis(pair, cache, bodies, contact_distance, get_motion)) return *outcome;
+  if (const auto outcome = TryCachedAxis(pair, cache, convex_and_triangle, contact_distance, get_motion))
+    return *outcome;
   const PairOutcome outcome = CatchFailures([&] {
     QueryLimits limits = triangle_query.limits;
-    limits.face_normal = NormalOf(bodies.second);
-    PairQuery query(pair.narrowphase, bodies.InOrder(is_swapped), is_swapped, limits, pair.manifold.BreakingThreshold(),
-                    motion, cache);
+    limits.triangle_normal = normal;
+    PairQuery query(pair.narrowphase, convex_and_triangle.InOrder(is_swapped), is_swapped, limits,
+                    pair.manifold.BreakingThreshold(), motion, cache);
     return query.FindContacts(contacts);
   });
   if (outcome.fallback) {

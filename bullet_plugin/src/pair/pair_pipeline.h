@@ -15,8 +15,7 @@ inline namespace DGD_BULLET_PRECISION {
 struct TriangleQuery {
   const PairMotion &motion, &reverse_motion;  ///< Motion of the convex body and the mesh, and in the other order.
   QueryLimits limits;
-  double angular_tolerance;  ///< Radians: Options::angular_tolerance.
-  double flush;              ///< Metres: NegligibleDistance().
+  double flush;  ///< Metres: NegligibleDistance().
 };
 
 /// Finds the pair's contacts, and makes its manifold's points theirs.
@@ -24,8 +23,9 @@ PairOutcome RunPipeline(PairState& pair, PairCache& cache, const PairCall& call)
 
 /// Finds the contacts of a convex body with a triangle of a mesh, and writes them nowhere: the mesh chooses among those
 /// of all triangles.
-PairOutcome FindTriangleContacts(PairState& pair, PairCache& cache, const PairBodies& bodies,
-                                 const TriangleQuery& triangle_query, PairContacts& contacts);
+/// @param normal  The triangle's unit normal, on either side; world; zero if it has no area.
+PairOutcome FindTriangleContacts(PairState& pair, PairCache& cache, const PairBodies& convex_and_triangle,
+                                 const Vector3& normal, const TriangleQuery& triangle_query, PairContacts& contacts);
 
 }  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -72,7 +72,7 @@ PairQuery::PairQuery(SharedState& narrowphase, const PairBodies& solved, bool is
       shape_a_(AdaptBody(narrowphase, solved.first, cache.hull_a(), limits.is_user_query)),
       shape_b_(AdaptBody(narrowphase, solved.second, cache.hull_b(), limits.is_user_query)),
       limits_(limits),
-      rules_{options_, limits.range, limits.patch_settings, motion, NegligibleDistance(breaking_threshold)},
+      rules_{limits.range, limits.patch_settings, motion, NegligibleDistance(breaking_threshold)},
       settings_(SettingsOf(options_, limits, motion)) {
   if (!options_.warm_start) cache.Clear();
   MoveCentersTogether(shape_a_, shape_b_);
@@ -82,7 +82,7 @@ Contact PairQuery::FindContact() {
   Contact contact =
       dgd::GrowthDistance(shape_a_.set, shape_a_.pose, shape_b_.set, shape_b_.pose, settings_, &cache_.warm_start());
   if (!IsCertified(contact) || contact.status == dgd::Status::kSeparated) return contact;
-  if (contact.separation < -rules_.flush) TurnToFace(contact);
+  if (contact.separation < -rules_.flush) TurnToTriangle(contact);
   if (limits_.is_user_query) {
     settings_.max_iterations *= kPatience;
   } else if (IsDeep(contact)) {
@@ -94,13 +94,13 @@ Contact PairQuery::FindContact() {
   return contact;
 }
 
-void PairQuery::TurnToFace(Contact& contact) const {
+void PairQuery::TurnToTriangle(Contact& contact) const {
   // Of a shape that shows no faces, the deepest point may be over another triangle.
-  if (limits_.face_normal.isZero(0) || shape_a_.set.IsCustom() || shape_b_.set.IsCustom()) return;
-  // A triangle has no depth: of what is larger, its centre is beside the part that is over it, and the direction from
-  // there leans the more the deeper that part is.
+  if (limits_.triangle_normal.isZero(0) || shape_a_.set.IsCustom() || shape_b_.set.IsCustom()) return;
+  // A triangle has no depth: of what is larger, its centre is outside of the part that is over it, and the direction
+  // from there leans the more the deeper that part is.
   const Vector3 face =
-      limits_.face_normal.dot(contact.normal) < 0 ? Vector3(-limits_.face_normal) : limits_.face_normal;
+      limits_.triangle_normal.dot(contact.normal) < 0 ? Vector3(-limits_.triangle_normal) : limits_.triangle_normal;
   const Vector3 on_a = SupportPoint(shape_a_, face), on_b = SupportPoint(shape_b_, -face);
   const double separation = face.dot(on_b - on_a);
   if (!(separation > contact.separation)) return;

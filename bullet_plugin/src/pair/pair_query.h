@@ -27,16 +27,17 @@ struct QueryLimits {
   ContactRange range;
   dgd::PatchSettings<double> patch_settings;
   bool is_user_query;  ///< Whether a user queries the contacts themselves (user_query.h).
-  /// For a triangle of a mesh, its unit normal on either side, world; else zero.
-  Vector3 face_normal = Vector3::Zero();
+  /// Of a pair with a triangle of a mesh, the triangle's unit normal on either side of it, world; else zero.
+  Vector3 triangle_normal = Vector3::Zero();
 };
 
 /// The shapes A and B, in the order that they are solved in, and what is wanted of them.
 class PairQuery {
  public:
   /// Reads the shapes, and brings the cache into their order. Throws what AdaptShape() does.
-  /// @param solved          The bodies in that order.
-  /// @param limits, motion  Motion of A and B in the step; both outlive this.
+  /// @param solved  The bodies in that order.
+  /// @param limits  Outlives this.
+  /// @param motion  The motion of A and B in the step; outlives this.
   PairQuery(SharedState& narrowphase, const PairBodies& solved, bool is_swapped, const QueryLimits& limits,
             double breaking_threshold, const PairMotion& motion, PairCache& cache);
 
@@ -50,7 +51,7 @@ class PairQuery {
   /// translation.
   Contact FindContact();
   /// Turns the contact of shapes that overlap to the triangle's own normal, if they overlap by less along that.
-  void TurnToFace(Contact& contact) const;
+  void TurnToTriangle(Contact& contact) const;
   /// The patch of a certified contact.
   /// @param contact  In and out: for bodies that meet within the step, the one of where they do.
   void FindPatch(Contact& contact, PairContacts& contacts);

@@ -67,10 +67,9 @@ PairOutcome SolveDistance(PairState& pair, std::shared_ptr<const CachedHull>& hu
   // Sets without an interior have a separation all the same.
   if (contact.status == dgd::Status::kInvalidInput) return {.fallback = Fallback::kInvalid};
   DGD_ASSERT(IsUnit(contact.normal));
-  const Contact solved = contact;
+  const int iterations = contact.iterations;  // Of where the bodies are; a meeting's contact counts none.
   const auto settings = PatchSettingsOf(options, pair.manifold, range, is_user_query);
-  const PatchRules rules{options, range, settings, contacts.motion,
-                         NegligibleDistance(pair.manifold.BreakingThreshold())};
+  const PatchRules rules{range, settings, contacts.motion, NegligibleDistance(pair.manifold.BreakingThreshold())};
   // A sweep along the plane's normal needs no more of the plane than a point.
   const PosedShape point_of_plane{dgd::RoundedSet{dgd::Point<double>(), 0.0}, pose_of_plane};
   const auto plane_between = [&](const Pose& pose, const Pose& plane) {
@@ -87,7 +86,7 @@ PairOutcome SolveDistance(PairState& pair, std::shared_ptr<const CachedHull>& hu
   // The plane's own face is the contacts' reference face.
   contacts.side = dgd::ReferenceSide::kSet2;
   DGD_ASSERT(contacts.patch.size <= options.patch_size);
-  return {.iterations = solved.iterations,
+  return {.iterations = iterations,
           .patch_size = static_cast<std::uint8_t>(contacts.patch.size),
           .stage = contacts.patch.size > 0 ? PairOutcome::Stage::kSolved : PairOutcome::Stage::kSeparated};
 }

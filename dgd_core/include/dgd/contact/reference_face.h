@@ -10,13 +10,6 @@ namespace dgd {
 /// The set whose face is across the contact's normal.
 enum class ReferenceSide : std::uint8_t { kNone, kSet1, kSet2 };
 
-/// The same if the sets are named in the other order.
-constexpr ReferenceSide Swapped(ReferenceSide side) {
-  return side == ReferenceSide::kSet1   ? ReferenceSide::kSet2
-         : side == ReferenceSide::kSet2 ? ReferenceSide::kSet1
-                                        : ReferenceSide::kNone;
-}
-
 /// @param facing  With its overlap.
 template <class S>
 ReferenceSide ReferenceSideOf(const FacingFaces<S>& facing) {

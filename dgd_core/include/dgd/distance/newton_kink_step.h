@@ -9,7 +9,7 @@
 // and has the least value of their Lagrangian, of which the weights are those of the pieces' points in the point of
 // their simplex that is nearest to the origin, or to its foot on the set's supporting plane if the origin is inside:
 // sequential quadratic programming. With the origin outside, the Lagrangian is convex. With the origin inside it need
-// not be, and the step goes downhill as far as it is told.
+// not be, and the step goes downhill, by the caller's reach at most.
 #pragma once
 
 #include <array>
