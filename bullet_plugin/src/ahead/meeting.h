@@ -3,7 +3,8 @@
 // An impact that is met ahead of touching neither lets bodies overlap nor lets fast ones tunnel: Bullet's solver closes
 // a gap within the step and keeps the bodies from going farther. The rule: both bodies are moved to where they meet
 // within the step, the contacts are found there, and moved back to the step's beginning. Bodies that do not meet have
-// none, however fast one approaches the other's plane: a contact would deflect what flies past an edge.
+// none there, however fast one approaches the other's plane: it would deflect what flies past an edge. If they touch
+// all the same, their contacts are those of the step's end, moved back: they do nothing unless others push the bodies.
 //
 // Bodies move at the velocities that they have now. Weight is left out: what supports a body takes it up, and a body
 // that slides over a seam would seem to sink into it.
@@ -27,6 +28,12 @@
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
+/// The moment of a step at which contacts are found.
+struct Moment {
+  double time = 0;         ///< From 0, the step's beginning, to 1, its end.
+  bool is_impact = false;  ///< Whether it is that at which the bodies meet.
+};
+
 /// Two shapes on their ways over the step.
 class MovingPair {
  public:
@@ -48,9 +55,11 @@ class MovingPair {
   /// Moves a patch from where the shapes are to the step's beginning, for a solver that takes the bodies to be there:
   /// each of a point's two places goes with its body and keeps its arm about the body's centre, and the separation is
   /// what the bodies' velocities at it close until now. The point of a ball that is to touch next is not the one that
-  /// has turned to where it will be, and no part of its spin is an approach.
+  /// has turned to where it will be, and no part of its spin is an approach. Points where the bodies part are left out
+  /// if they overlap so: the bodies are not yet in front of each other there.
   /// @param normal  From A to B, unit, world.
-  void MoveToStart(const Vector3& normal, dgd::ContactPatch<double>& patch) const;
+  /// @param flush   Metres: less overlap does not count.
+  void MoveToStart(const Vector3& normal, double flush, dgd::ContactPatch<double>& patch) const;
 
  private:
   PosedShape a_, b_;
@@ -58,25 +67,15 @@ class MovingPair {
   double time_ = 0;
 };
 
-/// What comes of two bodies that are apart, or overlap by less than counts.
-enum class Encounter {
-  kApart,  ///< The plane between them keeps them apart all step.
-  kPass,   ///< They stay apart, though one reaches the other's plane.
-  kMeet,   ///< They meet within the step.
-};
-
-struct Meeting {
-  Encounter encounter = Encounter::kApart;
-  Contact contact;  ///< Where they meet, if they do; its growth distance stays unknown.
-};
-
-/// Finds out whether two shapes meet, and moves them to where they do.
-/// @param start          The contact at the beginning of the step.
+/// Finds out whether two shapes that are apart, or overlap by less than counts, meet within the step, and moves them to
+/// where they do, or else to the step's end.
+/// @param contact        In: at the beginning of the step. Out: where they meet, if they do; its growth distance stays
+///                       unknown.
 /// @param flush          Metres: bodies that overlap by no more than this do not meet, so that one that slides over the
 ///                       seam of two others, flush but for roundoff, is not stopped by the second one's side.
 /// @param plane_between  Contact(const Pose& a, const Pose& b): a plane between the shapes in other poses.
 template <class PlaneBetween>
-Meeting FindMeeting(MovingPair& pair, const Contact& start, double flush, const PlaneBetween& plane_between);
+bool FindMeeting(MovingPair& pair, Contact& contact, double flush, const PlaneBetween& plane_between);
 
 // Definitions
 
@@ -103,7 +102,7 @@ inline constexpr int kMaxPlanes = 8;
 }  // namespace ahead_internal
 
 template <class PlaneBetween>
-Meeting FindMeeting(MovingPair& pair, const Contact& start, double flush, const PlaneBetween& plane_between) {
+bool FindMeeting(MovingPair& pair, Contact& contact, double flush, const PlaneBetween& plane_between) {
   using ahead_internal::SweptSet;
   DGD_ASSERT(!(flush < 0) && pair.time() == 0);
   dgd::SweepSettings<double> settings;
@@ -114,22 +113,19 @@ Meeting FindMeeting(MovingPair& pair, const Contact& start, double flush, const 
   const dgd::TimeOfImpactResult<double> impact =
       dgd::TimeOfImpact(SweptSet(pair.a().set), pair.way_a(), SweptSet(pair.b().set), pair.way_b(), settings,
                         [&](const Pose& pose_a, const Pose& pose_b) {
-                          return std::exchange(is_start, false) ? start : plane_between(pose_a, pose_b);
+                          return std::exchange(is_start, false) ? contact : plane_between(pose_a, pose_b);
                         });
-  Meeting meeting;
-  if (impact.status == dgd::Status::kSeparated) {
-    meeting.encounter = impact.planes == 1 ? Encounter::kApart : Encounter::kPass;
-    return meeting;
-  }
   // Where no plane is found any more, they count as meeting: a contact too many is better than one that is missed.
-  meeting.encounter = Encounter::kMeet;
-  meeting.contact.status = dgd::Status::kOptimal;
-  meeting.contact.normal = impact.normal;
-  meeting.contact.separation = impact.separation;
-  meeting.contact.witness_1 = impact.witness_1;
-  meeting.contact.witness_2 = impact.witness_2;
-  pair.MoveTo(impact.time);
-  return meeting;
+  const bool is_meeting = impact.status != dgd::Status::kSeparated;
+  pair.MoveTo(is_meeting ? impact.time : 1);
+  if (!is_meeting) return false;
+  contact = Contact();
+  contact.status = dgd::Status::kOptimal;
+  contact.normal = impact.normal;
+  contact.separation = impact.separation;
+  contact.witness_1 = impact.witness_1;
+  contact.witness_2 = impact.witness_2;
+  return true;
 }
 
 }  // namespace DGD_BULLET_PRECISION

@@ -43,10 +43,10 @@ class ConvexConvexAlgorithm final : public PairAlgorithm {
   }
 
   /// The contacts along the triangle's normal, after FindTriangleContacts() in the same step. Does not throw.
-  /// @param normal, time  See dgd_bullet::FindTriangleFaceContacts().
-  FaceContacts FindTriangleFaceContacts(const PairBodies& convex_and_triangle, const Vector3& normal, double time,
-                                        const TriangleQuery& query) {
-    return dgd_bullet::FindTriangleFaceContacts(pair_.narrowphase, cache_, convex_and_triangle, normal, time, query);
+  /// @param normal, moment  See dgd_bullet::FindTriangleFaceContacts().
+  FaceContacts FindTriangleFaceContacts(const PairBodies& convex_and_triangle, const Vector3& normal,
+                                        const Moment& moment, const TriangleQuery& query) {
+    return dgd_bullet::FindTriangleFaceContacts(pair_.narrowphase, cache_, convex_and_triangle, normal, moment, query);
   }
 
   /// The part of the motion from the bodies' transforms to their interpolation transforms that they go before they

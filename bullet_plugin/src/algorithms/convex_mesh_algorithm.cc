@@ -46,7 +46,7 @@ struct MeshStep {
   /// What a triangle's face contacts are found by.
   struct Solved {
     ConvexConvexAlgorithm* algorithm = nullptr;  // Null where an app's own algorithm has solved it.
-    double time = 0;                             // PairContacts::time.
+    Moment moment;                               // PairContacts::moment.
     bool has_patch = false;                      // Whether it has contacts with the body, ghosts or not.
   };
   std::vector<Solved> triangles;  // The contacts' triangles.
@@ -181,7 +181,7 @@ class TriangleVisit final : public btTriangleCallback {
     PairContacts& found = step_.found;
     const std::optional<Fallback> failure =
         algorithm.FindTriangleContacts({convex_, triangle}, step_.contacts.NormalOf(index), query_, found);
-    step_.triangles.back().time = found.time;
+    step_.triangles.back().moment = found.moment;
     step_.triangles.back().has_patch = found.patch.size > 0;
     if (!failure) return step_.contacts.Add(index, found.patch, found.normal);
     if (!IsSolvedByBullet(*failure)) return;
@@ -193,11 +193,12 @@ class TriangleVisit final : public btTriangleCallback {
   /// The contacts of a triangle along its own normal.
   void AddFaceContacts(int index) {
     DGD_ASSERT(index >= 0 && static_cast<std::size_t>(index) < step_.triangles.size());
-    const auto [algorithm, time, has_patch] = step_.triangles[static_cast<std::size_t>(index)];
+    const auto [algorithm, moment, has_patch] = step_.triangles[static_cast<std::size_t>(index)];
     const Vector3 normal = step_.contacts.NormalOf(index);
     if (algorithm == nullptr || !has_patch || normal.isZero(0)) return;
     const TriangleBody triangle(step_.contacts.triangle(index), mesh_);
-    const FaceContacts found = algorithm->FindTriangleFaceContacts({convex_, triangle.wrapper()}, normal, time, query_);
+    const FaceContacts found =
+        algorithm->FindTriangleFaceContacts({convex_, triangle.wrapper()}, normal, moment, query_);
     step_.contacts.Add(index, found.patch, found.normal);
   }
 

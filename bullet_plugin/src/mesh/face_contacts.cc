@@ -44,8 +44,8 @@ bool IsTowards(const Vector3& normal, const PosedShape& convex, const PosedShape
 }
 
 /// The contacts of a pair where it has been moved to, moved back to the step's beginning.
-FaceContacts FindFaceContacts(const MovingPair& pair, const Vector3& normal, double angular_tolerance,
-                              const PatchRules& rules) {
+FaceContacts FindFaceContacts(const MovingPair& pair, const Vector3& normal, const Moment& moment,
+                              double angular_tolerance, const PatchRules& rules) {
   DGD_ASSERT(IsUnit(normal) && !(rules.flush < 0));
   Contact contact;
   contact.normal = normal;
@@ -56,17 +56,16 @@ FaceContacts FindFaceContacts(const MovingPair& pair, const Vector3& normal, dou
   const dgd::Corner<double>* nearest = facing.Nearest();
   if (nearest == nullptr) return {};
   contact.separation = nearest->Separation();
-  FaceContacts contacts{FindPatch(contact, facing, rules,
-                                  {pair.time() > 0 ? Moment::Kind::kImpact : Moment::Kind::kInTouch, 1 - pair.time()}),
-                        normal};
-  pair.MoveToStart(normal, contacts.patch);
+  if (!moment.is_impact && contact.separation > rules.range.touching) return {};
+  FaceContacts contacts{FindPatch(contact, facing, rules, moment), normal};
+  pair.MoveToStart(normal, rules.flush, contacts.patch);
   return contacts;
 }
 
 }  // namespace
 
 FaceContacts FindTriangleFaceContacts(SharedState& narrowphase, PairCache& cache, const PairBodies& convex_and_triangle,
-                                      const Vector3& normal, double time, const TriangleQuery& query) try {
+                                      const Vector3& normal, const Moment& moment, const TriangleQuery& query) try {
   DGD_ASSERT(IsUnit(normal));
   PairCache::Hull no_hull;
   PairCache::Hull& hull = cache.IsSwapped() ? cache.hull_b() : cache.hull_a();
@@ -76,9 +75,9 @@ FaceContacts FindTriangleFaceContacts(SharedState& narrowphase, PairCache& cache
   // Where they meet, the body may be on the other side of a triangle that it reaches from outside of it.
   const Vector3 towards = IsTowards(normal, convex, triangle, cache) ? normal : Vector3(-normal);
   MovingPair pair(convex, triangle, query.motion);
-  pair.MoveTo(time);
+  pair.MoveTo(moment.time);
   const PatchRules rules{query.limits.range, query.limits.patch_settings, query.motion, query.flush};
-  return FindFaceContacts(pair, towards, narrowphase.options().angular_tolerance, rules);
+  return FindFaceContacts(pair, towards, moment, narrowphase.options().angular_tolerance, rules);
 } catch (const std::exception&) {
   return {};  // FindTriangleContacts() has counted it.
 }

@@ -18,7 +18,7 @@ struct PairContacts {
   dgd::ContactPatch<double> patch;
   Vector3 normal = Vector3::Zero();  ///< Unit, from the call's first body to the second.
   PairMotion motion;                 ///< Motion of the bodies in the order that their shapes are solved in.
-  double time = 0;                   ///< Part of the step after which the bodies meet; 0 if they are in touch now.
+  Moment moment;                     ///< That at which the patch was found.
   /// Whether the next step may recycle the contacts: the bodies are in touch, or do not come nearer. Of those that do,
   /// others may touch next.
   bool may_recycle = false;
@@ -34,18 +34,6 @@ struct PatchRules {
   double flush;              ///< NegligibleDistance(), metres.
 };
 
-/// When in a step a patch is found.
-struct Moment {
-  enum class Kind {
-    kInTouch,  ///< At its beginning, of bodies in touch.
-    kApart,    ///< At its beginning, of bodies that stay apart by themselves.
-    kImpact,   ///< Where bodies meet.
-  };
-
-  Kind kind;
-  double remaining = 1;  ///< Part of the step that is left.
-};
-
 /// What is known of a certified contact before the bodies are moved.
 enum class Approach {
   kNone,     ///< The bodies are too far apart for contacts, and will be at the end of the step.
@@ -54,44 +42,44 @@ enum class Approach {
 };
 Approach ClassifyApproach(const PatchRules& rules, const Contact& contact);
 
-/// Finds the contacts of two shapes in this step: those of where they are, or of where they meet within it.
-/// @param contact        Certified. In and out: that of where they meet, if they are to.
+/// Finds the contacts of two shapes in this step: those of where they are, or of where they meet within it, or will be
+/// at its end.
+/// @param contact        Certified. In and out: that of where the patch is found.
 /// @param plane_between  Contact(const Pose& a, const Pose& b), see FindMeeting().
 /// @param find_patch     ContactPatch(const PosedShape& a, const PosedShape& b, const Contact&, const Moment&): the
 ///                       patch where the shapes are.
-/// @param contacts       Out: patch, time and may_recycle; an empty patch if there are no contacts.
+/// @param contacts       Out: patch, moment and may_recycle; an empty patch if there are no contacts.
 template <class PlaneBetween, class FindPatchAt>
 void FindContactsByMotion(const PosedShape& shape_a, const PosedShape& shape_b, const PatchRules& rules,
                           Contact& contact, const PlaneBetween& plane_between, const FindPatchAt& find_patch,
                           PairContacts& contacts) {
   const Approach approach = ClassifyApproach(rules, contact);
   if (approach == Approach::kNone) return;
-  auto kind = Moment::Kind::kInTouch;
-  if (approach == Approach::kMayMeet) {
-    MovingPair pair(shape_a, shape_b, rules.motion);
-    const Meeting meeting = FindMeeting(pair, contact, rules.flush, plane_between);
-    if (meeting.encounter == Encounter::kMeet) {
-      contact = meeting.contact;
-      contacts.time = pair.time();
-      contacts.patch = find_patch(pair.a(), pair.b(), contact, Moment{Moment::Kind::kImpact, 1 - pair.time()});
-      return pair.MoveToStart(contact.normal, contacts.patch);
-    }
-    const bool is_touching = contact.separation <= rules.range.touching;
-    if (meeting.encounter == Encounter::kPass || !is_touching) return;
-    kind = Moment::Kind::kApart;
+  const double start = contact.separation;
+  contacts.may_recycle = start <= rules.flush || !rules.motion.MayCoastBy(rules.flush, contact.normal);
+  if (approach == Approach::kInTouch) {
+    contacts.patch = find_patch(shape_a, shape_b, contact, contacts.moment);
+    return;
   }
-  contacts.may_recycle = contact.separation <= rules.flush || !rules.motion.MayCoastBy(rules.flush, contact.normal);
-  contacts.patch = find_patch(shape_a, shape_b, contact, Moment{kind});
+  MovingPair pair(shape_a, shape_b, rules.motion);
+  const bool is_impact = FindMeeting(pair, contact, rules.flush, plane_between);
+  contacts.may_recycle &= !is_impact;
+  if (!is_impact) {
+    if (start > rules.range.touching) return;
+    contact = plane_between(pair.a().pose, pair.b().pose);
+    if (contact.status == dgd::Status::kInvalidInput || contact.separation > rules.range.touching) return;
+  }
+  contacts.moment = {pair.time(), is_impact};
+  contacts.patch = find_patch(pair.a(), pair.b(), contact, contacts.moment);
+  pair.MoveToStart(contact.normal, rules.flush, contacts.patch);
 }
 
 /// The points of a patch that count: the nearest ones, and what is near and does not come nearer. A corner that lands
 /// within the step next to others in touch counts from the next one: until then the others carry the weight. On
 /// average, a corner carries from the moment that it lands so, since Bullet's solver takes what a step begins with for
 /// half a step before that and half after; to meet it ahead would brake hulls that roll (tests/plugin, RollingHull).
-/// What would overlap by more than half the breaking threshold by then counts at once, or by more than all of it with
-/// what forces add, and in an impact all that lands, unless the bodies rebound: each point would take the whole
-/// rebound. Bodies that stay apart may have points that come down on an arc and go up again: the solver, which takes
-/// the chord, would brake them, and they do not count.
+/// What lands faster than from a fall by the breaking threshold counts at once, and in an impact all that lands, unless
+/// the bodies rebound: each point would take the whole rebound.
 dgd::ContactPatch<double> FindPatch(const Contact& contact, const dgd::FacingFaces<double>& facing,
                                     const PatchRules& rules, const Moment& moment);
 

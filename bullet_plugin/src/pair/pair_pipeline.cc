@@ -77,7 +77,7 @@ PairOutcome RunPipeline(PairState& pair, PairCache& cache, const PairCall& call)
 PairOutcome FindTriangleContacts(PairState& pair, PairCache& cache, const PairBodies& convex_and_triangle,
                                  const Vector3& normal, const TriangleQuery& triangle_query, PairContacts& contacts) {
   contacts.patch.size = 0;
-  contacts.time = 0;
+  contacts.moment = {};
   const bool is_swapped = ComesBefore(convex_and_triangle.second, convex_and_triangle.first);
   DGD_ASSERT(!pair.manifold.IsOwn());
   const PairMotion& motion = is_swapped ? triangle_query.reverse_motion : triangle_query.motion;
