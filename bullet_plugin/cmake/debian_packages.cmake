@@ -28,7 +28,8 @@ set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(version "${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS
-    "${CMAKE_CURRENT_BINARY_DIR}/dgd_core" "${CMAKE_CURRENT_BINARY_DIR}/bullet_plugin")
+    "${CMAKE_CURRENT_BINARY_DIR}/dgd_core" "${CMAKE_CURRENT_BINARY_DIR}/bullet_plugin"
+    "${CMAKE_CURRENT_BINARY_DIR}/bullet_plugin/record")
 # Each package's description begins with a synopsis of its own.
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
 
@@ -44,7 +45,11 @@ Bullet's GJK and EPA in its collision dispatcher, in float and in double.")
 # For packages of programs that link the libraries, and for the dynamic linker. (CPack's GENERATE_SHLIBS warns of the
 # modules of dgd-bullet-run, which no program links.)
 set(shlibs "")
-foreach(library IN ITEMS dgd_core dgd_bullet dgd_bullet-float64)
+set(libraries dgd_core dgd_bullet dgd_bullet-float64)
+if(DGD_BUILD_RECORD)
+  list(APPEND libraries dgd_bullet_record dgd_bullet_record-float64)
+endif()
+foreach(library IN LISTS libraries)
   string(APPEND shlibs "lib${library} 0.1 libdgd-bullet0.1 (>= ${PROJECT_VERSION})\n")
 endforeach()
 file(CONFIGURE OUTPUT debian/shlibs CONTENT "@shlibs@" @ONLY)

@@ -110,6 +110,7 @@ void RecordedRun::Step(bool checkpoint_is_due) {
   std::vector<btTransform> collision_poses;
   if (checkpoint_interval_) collision_poses = PosesOf(world_->Bullet());
   const StepRecord step = run_->Step();
+  if (recorder_) recorder_->NextStep();
   csv_.Write(step);
   samples_.AddIfDue(step.time);
   if (!checkpoint_interval_ || !(checkpoint_is_due || run_->IsDone() || is_stopped_)) return;

@@ -1,8 +1,6 @@
 // A run with one narrowphase, with the files that it writes and its checkpoints.
 #pragma once
 
-#include <dgd_bullet/recorder.h>
-
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -13,6 +11,7 @@
 #include "checkpoint/continued_file.h"
 #include "checkpoint/state_archive.h"
 #include "report/step_csv.h"
+#include "run/pair_recorder.h"
 #include "run/run_options.h"
 #include "run/trajectory.h"
 #include "run/world_source.h"
@@ -64,9 +63,9 @@ class RecordedRun {
   void Step(bool checkpoint_is_due);
   void Serialize(StateArchive& archive, std::vector<btTransform> collision_poses);
 
-  std::string name_;                              // "builtin" or "dgd".
-  double duration_;                               // s
-  std::optional<dgd_bullet::Recorder> recorder_;  // Outlives the world.
+  std::string name_;                      // "builtin" or "dgd".
+  double duration_;                       // s
+  std::optional<PairRecorder> recorder_;  // Outlives the world.
   std::unique_ptr<SimulatedWorld> world_;
   nlohmann::json identity_;  // All that the results depend on; see WriteCheckpoint().
   std::filesystem::path checkpoint_file_;

@@ -109,6 +109,12 @@ void AddOptions(CommandLine& line, RunOptions& options, std::string& narrowphase
 }
 
 bool IsSound(const RunOptions& options) {
+#ifndef DGD_DEMOS_RECORD
+  if (options.record) {
+    std::cerr << "--record: this program was built without the recorder (CMake's option DGD_BUILD_RECORD)\n";
+    return false;
+  }
+#endif
   if (options.record && (options.checkpoint_interval || options.resume)) {
     std::cerr << "--record: not with --checkpoint or --resume, since records cannot be continued\n";
     return false;

@@ -20,25 +20,25 @@ int StepCount(const Scene& scene) { return StepCount(scene.duration, scene.time_
 
 DropRun RunDrop(const Scene& scene, const std::vector<Body>& bodies, const NarrowphaseChoice& narrowphase,
                 int oracle_every, const std::function<void(const StepRecord&)>& on_step,
-                dgd_bullet::Recorder* recorder) {
+                dgd_bullet::PairObserver* observer) {
   World world(scene, bodies, narrowphase);
-  return RunWorld(world, {scene.duration, oracle_every, scene.snapshots}, on_step, recorder);
+  return RunWorld(world, {scene.duration, oracle_every, scene.snapshots}, on_step, observer);
 }
 
 DropRun RunWorld(SimulatedWorld& world, const RunSettings& settings,
-                 const std::function<void(const StepRecord&)>& on_step, dgd_bullet::Recorder* recorder) {
-  WorldRun run(world, settings, recorder);
+                 const std::function<void(const StepRecord&)>& on_step, dgd_bullet::PairObserver* observer) {
+  WorldRun run(world, settings, observer);
   while (!run.IsDone()) on_step(run.Step());
   return run.Result();
 }
 
-WorldRun::WorldRun(SimulatedWorld& world, RunSettings settings, dgd_bullet::Recorder* recorder)
+WorldRun::WorldRun(SimulatedWorld& world, RunSettings settings, dgd_bullet::PairObserver* observer)
     : world_(world),
       settings_(std::move(settings)),
       step_count_(StepCount(settings_.duration, world.time_step())),
       oracle_(world.OracleBodies()),
       tally_(settings_.duration, world.time_step(), world.Bodies(), world.TotalEnergy()) {
-  if (recorder != nullptr) world_.RecordInto(*recorder);
+  if (observer != nullptr) world_.ShowQueriesTo(*observer);
   TakeDueSnapshots(0);
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "checkpoint/state_archive.h"
-#include "dgd_bullet/recorder.h"
+#include "dgd_bullet/options.h"
 #include "scene/bodies.h"
 #include "scene/scene.h"
 #include "simulation/narrowphase.h"
@@ -38,8 +38,8 @@ struct RunSettings {
 class WorldRun {
  public:
   /// @param world     must outlive this.
-  /// @param recorder  gets the queries of the narrowphase, or null; must outlive this.
-  WorldRun(SimulatedWorld& world, RunSettings settings, dgd_bullet::Recorder* recorder = nullptr);
+  /// @param observer  is shown the queries of the narrowphase, or null; must outlive this.
+  WorldRun(SimulatedWorld& world, RunSettings settings, dgd_bullet::PairObserver* observer = nullptr);
   WorldRun(const WorldRun&) = delete;
   WorldRun& operator=(const WorldRun&) = delete;
 
@@ -70,15 +70,15 @@ class WorldRun {
 /// The whole of a run.
 /// @param on_step   called after each step.
 DropRun RunWorld(SimulatedWorld& world, const RunSettings& settings,
-                 const std::function<void(const StepRecord&)>& on_step, dgd_bullet::Recorder* recorder = nullptr);
+                 const std::function<void(const StepRecord&)>& on_step, dgd_bullet::PairObserver* observer = nullptr);
 
 /// @param bodies        from MakeBodies().
 /// @param oracle_every  see RunSettings.
 /// @param on_step       called after each step.
-/// @param recorder      see WorldRun.
+/// @param observer      see WorldRun.
 DropRun RunDrop(const Scene& scene, const std::vector<Body>& bodies, const NarrowphaseChoice& narrowphase,
                 int oracle_every, const std::function<void(const StepRecord&)>& on_step,
-                dgd_bullet::Recorder* recorder = nullptr);
+                dgd_bullet::PairObserver* observer = nullptr);
 
 /// Number of steps that a scene takes.
 int StepCount(const Scene& scene);

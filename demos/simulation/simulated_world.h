@@ -1,7 +1,7 @@
 // A simulated world, from a scene or from a file of Bullet's. A run needs no more of it than this.
 #pragma once
 
-#include <dgd_bullet/recorder.h>
+#include <dgd_bullet/options.h>
 
 #include <Eigen/Geometry>
 #include <optional>
@@ -26,8 +26,8 @@ class SimulatedWorld {
   SimulatedWorld& operator=(const SimulatedWorld&) = delete;
   virtual ~SimulatedWorld() = default;
 
-  /// From the next step on, the recorder gets the queries of the narrowphase. It must outlive this.
-  virtual void RecordInto(dgd_bullet::Recorder& recorder) = 0;
+  /// Shows an observer, which must outlive this, the queries of the narrowphase from the next step on.
+  virtual void ShowQueriesTo(dgd_bullet::PairObserver& observer) = 0;
 
   virtual double time_step() const = 0;  ///< s
   /// Advances by the time step.

@@ -1,4 +1,4 @@
-// Bullet's dispatcher with a stop watch, a counter and, if wanted, a recorder: the same for every narrowphase, and
+// Bullet's dispatcher with a stop watch, a counter and, if wanted, an observer: the same for every narrowphase, and
 // outside of what it measures.
 #pragma once
 
@@ -6,7 +6,7 @@
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
-#include <dgd_bullet/recorder.h>
+#include <dgd_bullet/options.h>
 
 #include <chrono>
 
@@ -33,15 +33,15 @@ class TimingDispatcherOf : public Dispatcher, public DispatchCost {
 
   void dispatchAllCollisionPairs(btOverlappingPairCache* pair_cache, const btDispatcherInfo& info,
                                  btDispatcher* dispatcher) override {
-    if (recorder_ != nullptr) RecordStep(pair_cache->getOverlappingPairArray());
+    if (observer_ != nullptr) ShowQueries(pair_cache->getOverlappingPairArray());
     const auto start = std::chrono::steady_clock::now();
     Dispatcher::dispatchAllCollisionPairs(pair_cache, info, dispatcher);
     last_duration_ = std::chrono::steady_clock::now() - start;
     last_queries_ = CountQueries(pair_cache->getOverlappingPairArray());
   }
 
-  /// From now on, each dispatch is a step of the recorder's, which must outlive this.
-  void RecordInto(dgd_bullet::Recorder& recorder) { recorder_ = &recorder; }
+  /// Shows an observer, which must outlive this, the queries of each dispatch from now on.
+  void ShowQueriesTo(dgd_bullet::PairObserver& observer) { observer_ = &observer; }
 
  private:
   int CountQueries(const btBroadphasePairArray& pairs) {
@@ -50,16 +50,15 @@ class TimingDispatcherOf : public Dispatcher, public DispatchCost {
     return queries;
   }
 
-  void RecordStep(const btBroadphasePairArray& pairs) {
+  void ShowQueries(const btBroadphasePairArray& pairs) {
     const auto wrap = [](const btCollisionObject& body) {
       return btCollisionObjectWrapper(nullptr, body.getCollisionShape(), &body, body.getWorldTransform(), -1, -1);
     };
     ForEachQuery(pairs, [&](const btCollisionObject& first, const btCollisionObject& second) {
       if (first.getCollisionShape()->isConvex() && second.getCollisionShape()->isConvex()) {
-        recorder_->Add(wrap(first), wrap(second));
+        observer_->OnPair(wrap(first), wrap(second));
       }
     });
-    recorder_->NextStep();
   }
 
   template <class Use>
@@ -71,7 +70,7 @@ class TimingDispatcherOf : public Dispatcher, public DispatchCost {
     }
   }
 
-  dgd_bullet::Recorder* recorder_ = nullptr;
+  dgd_bullet::PairObserver* observer_ = nullptr;
 };
 
 using TimingDispatcher = TimingDispatcherOf<btCollisionDispatcher>;

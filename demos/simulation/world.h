@@ -24,7 +24,7 @@ class World : public SimulatedWorld {
   /// @param bodies  from MakeBodies(); the ground first.
   World(const Scene& scene, const std::vector<Body>& bodies, const NarrowphaseChoice& narrowphase);
 
-  void RecordInto(dgd_bullet::Recorder& recorder) override { dispatcher_.RecordInto(recorder); }
+  void ShowQueriesTo(dgd_bullet::PairObserver& observer) override { dispatcher_.ShowQueriesTo(observer); }
   double time_step() const override { return time_step_; }
   CollisionReport Step() override;
 

@@ -39,7 +39,7 @@ class ImportedWorld : public SimulatedWorld {
   const std::vector<std::string>& Remarks() const { return remarks_; }
   int ConstraintCount() const { return world_->getNumConstraints(); }
 
-  void RecordInto(dgd_bullet::Recorder& recorder) override { dispatcher_.RecordInto(recorder); }
+  void ShowQueriesTo(dgd_bullet::PairObserver& observer) override { dispatcher_.ShowQueriesTo(observer); }
   double time_step() const override { return time_step_; }
   CollisionReport Step() override;
 

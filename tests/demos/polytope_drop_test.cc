@@ -1,5 +1,4 @@
 // The program as its users run it: exit statuses, what it prints, what it leaves on disk.
-#include <dgd_bullet/record_file.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -61,7 +60,8 @@ TEST_F(PolytopeDropTest, OneNarrowphaseWithoutPictures_LeavesOnlyItsCsvAndTheTab
   EXPECT_EQ(outcome.output.find(" ratio\n"), std::string::npos);
 }
 
-TEST_F(PolytopeDropTest, Record_LeavesWhatEachNarrowphaseWasAsked) {
+#ifdef DGD_DEMOS_RECORD
+TEST_F(PolytopeDropTest, Record_LeavesTheQueriesOfEachNarrowphase) {
   const auto scene = folder_.Write("scene.json", ValidSceneText());
   const Outcome outcome =
       Run("--scene " + scene.string() + " --no-snapshots --duration 0.6 --record --out " + Path("out"));
@@ -73,6 +73,13 @@ TEST_F(PolytopeDropTest, Record_LeavesWhatEachNarrowphaseWasAsked) {
     EXPECT_GT(record.pairs.size(), 0U);
   }
 }
+#else
+TEST_F(PolytopeDropTest, Record_WithoutARecorderStatus2SaysSo) {
+  const Outcome outcome = Run("--record --out " + Path("out"));
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.errors.find("DGD_BUILD_RECORD"), std::string::npos) << outcome.errors;
+}
+#endif
 
 TEST_F(PolytopeDropTest, BodyLeavesTheWorld_Status1NamesItAndKeepsTheCsv) {
   std::string text = ValidSceneText();

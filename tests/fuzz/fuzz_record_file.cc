@@ -8,7 +8,7 @@
 
 #include "dgd_bullet/record_file.h"
 #include "fuzz/fuzz_target.h"
-#include "record/record_format.h"
+#include "record_format.h"
 
 namespace dgd_fuzz {
 namespace {

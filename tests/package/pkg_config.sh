@@ -37,6 +37,10 @@ fails_with() { # TEXT COMMAND...: the command fails, and what it prints contains
 
 build_and_run falling_box "$module"
 build_and_run falling_box "$module" --static
+record=dgd_bullet_record${module#dgd_bullet}
+if pkg-config --exists "$record"; then
+  (cd "$output" && build_and_run recorded_pair "$record")
+fi
 if [ "$precision" = float ]; then # The solver alone knows no precision: once is enough.
   compiler="$compiler -std=c++20" # for the solver's headers; the plugin's do with the default
   build_and_run two_cubes dgd_core

@@ -10,7 +10,6 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -20,7 +19,6 @@
 #include <utility>
 #include <vector>
 
-#include "dgd_bullet/recorder.h"
 #include "plugin/crowd.h"
 #include "plugin/test_world.h"
 
@@ -244,21 +242,24 @@ TEST(CollisionDispatcher, CallbackThatThrows_LeavesADispatcherThatWorks) {
   EXPECT_EQ(hulls.Visits(), 0);
 }
 
+struct CountingObserver final : dgd_bullet::PairObserver {
+  void OnPair(const btCollisionObjectWrapper&, const btCollisionObjectWrapper&) noexcept override { ++pairs; }
+  int pairs = 0;
+};
+
 // Each of them sees the pair in each step, as with btCollisionDispatcher.
-TEST(CollisionDispatcher, RecorderAndNearCallback_SeePairsThatStayApart) {
+TEST(CollisionDispatcher, ObserverAndNearCallback_SeePairsThatStayApart) {
   TwoHulls hulls;
   for (int step = 0; step < 5; ++step) hulls.Step();
   hulls.dispatcher().setNearCallback(VisitPair);
   hulls.Step();
   EXPECT_EQ(hulls.Visits(), 1);
-  const std::string path = testing::TempDir() + "dispatcher" + std::to_string(sizeof(btScalar)) + ".rec";
-  dgd_bullet::Recorder recorder(path);
+  CountingObserver observer;
   dgd_bullet::Options options;
-  options.recorder = &recorder;
-  TwoHulls recorded(options);
-  for (int step = 0; step < 5; ++step) recorded.Step();
-  EXPECT_EQ(recorder.pair_count(), 5u);
-  std::remove(path.c_str());
+  options.pair_observer = &observer;
+  TwoHulls observed(options);
+  for (int step = 0; step < 5; ++step) observed.Step();
+  EXPECT_EQ(observer.pairs, 5);
 }
 
 /// The bodies of the pairs that an app's near callback has seen, and on which threads.

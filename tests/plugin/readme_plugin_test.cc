@@ -13,8 +13,6 @@
 #include "dgd_bullet/collision_configuration.h"
 #include "dgd_bullet/collision_dispatcher.h"
 #include "dgd_bullet/convex_cast.h"
-#include "dgd_bullet/record_file.h"
-#include "dgd_bullet/recorder.h"
 #include "dgd_bullet/register.h"
 #include "support/readme_snippets.h"
 
@@ -105,23 +103,10 @@ TEST(ReadmePlugin, Statistics_AreWrittenAsJson) {
   EXPECT_EQ(nlohmann::json::parse(std::ifstream("pairs.json"))["pairs"][0]["calls"], 1);
 }
 
-TEST(ReadmePlugin, Recorder_WritesThePairs) {
-  MoveToEmptyFolder();
-  dgd_bullet::Options options;
-
-  dgd_bullet::Recorder recorder("pairs.rec");  // dgd_bullet/recorder.h
-  options.recorder = &recorder;                // ... and recorder.NextStep() after each step.
-
-  dgd_bullet::CollisionConfiguration configuration(options);
-  btCollisionDispatcher dispatcher(&configuration);
-  ContactsOfTwoCubes(dispatcher, configuration);
-  recorder.Close();
-  EXPECT_EQ(dgd_bullet::ReadRecord("pairs.rec").pairs.size(), 1U);
-}
-
 TEST(ReadmePlugin, Snippets_AreTheseWordForWord) {
   const std::string root = DGD_TEST_ROOT;
-  const std::vector<std::string> sources = {root + "/tests/plugin/readme_plugin_test.cc"};
+  const std::vector<std::string> sources = {root + "/tests/plugin/readme_plugin_test.cc",
+                                            root + "/tests/plugin/recorder_test.cc"};
   EXPECT_EQ(dgd_test::ExpectSnippetsIn(root + "/bullet_plugin/README.md", sources), 7);
   EXPECT_EQ(dgd_test::ExpectSnippetsIn(root + "/README.md", sources), 1);
 }

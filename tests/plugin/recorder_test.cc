@@ -1,4 +1,5 @@
-// What the recorder writes is what Bullet asked, and what is read of a damaged file is a true part of it.
+// What the recorder writes are the pairs that Bullet processes, and what is read of a damaged file is a true part of
+// it.
 #include "dgd_bullet/recorder.h"
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
@@ -59,10 +60,15 @@ ReferencePose PoseOf(const RecordedPose& pose) {
 class RecorderTest : public testing::Test {
  protected:
   RecorderTest()
-      : path_((std::filesystem::temp_directory_path() / ("dgd_recorder_test." + std::to_string(getpid()) + "." +
-                                                         testing::UnitTest::GetInstance()->current_test_info()->name()))
-                  .string()) {}
-  ~RecorderTest() override { std::filesystem::remove(path_); }
+      : folder_(std::filesystem::temp_directory_path() /
+                ("dgd_recorder_test." + std::to_string(getpid()) + "." +
+                 testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    std::filesystem::create_directory(folder_);
+  }
+  ~RecorderTest() override {
+    std::filesystem::current_path(std::filesystem::temp_directory_path());
+    std::filesystem::remove_all(folder_);
+  }
 
   std::string Bytes() const {
     std::ifstream file(path_, std::ios::binary);
@@ -75,9 +81,12 @@ class RecorderTest : public testing::Test {
 
   /// Two boxes and a ball, of which the ball falls, for some steps.
   void RecordFall(int steps) {
-    dgd_bullet::Recorder recorder(path_);
     dgd_bullet::Options options;
-    options.recorder = &recorder;
+    std::filesystem::current_path(folder_);
+
+    dgd_bullet::Recorder recorder("pairs.rec");  // dgd_bullet/recorder.h
+    options.pair_observer = &recorder;           // ... and recorder.NextStep() after each step.
+
     TestWorld world(Route::kConfiguration, options);
     auto& box = world.Make<btBoxShape>(Vec(0.5, 0.5, 0.5));
     auto& ball = world.Make<btSphereShape>(btScalar(0.3));
@@ -91,7 +100,8 @@ class RecorderTest : public testing::Test {
     recorder.Close();
   }
 
-  const std::string path_;
+  const std::filesystem::path folder_;
+  const std::string path_ = (folder_ / "pairs.rec").string();
 };
 
 TEST_F(RecorderTest, EveryShape_IsRecordedAsBulletSeesIt) {
@@ -112,7 +122,7 @@ TEST_F(RecorderTest, EveryShape_IsRecordedAsBulletSeesIt) {
     const btCollisionObjectWrapper body_0(nullptr, entry.shape.get(), &first, pose, -1, -1);
     const btCollisionObjectWrapper body_1(nullptr, &ball, &second, ball_pose, -1, -1);
     const std::uint64_t before = recorder.pair_count();
-    recorder.Add(body_0, body_1);
+    recorder.OnPair(body_0, body_1);
     if (recorder.pair_count() > before) {
       asked.push_back({entry.shape, pose});
     } else {
@@ -224,8 +234,8 @@ TEST_F(RecorderTest, WhatIsNoShape_IsLeftOut) {
   const btTransform pose = At(0, 0, 0);
   const btCollisionObjectWrapper no_hull(nullptr, &without_points, &object, pose, -1, -1);
   const btCollisionObjectWrapper no_ball(nullptr, &ball, &object, pose, -1, -1);
-  recorder.Add(no_hull, no_hull);
-  recorder.Add(no_ball, no_ball);
+  recorder.OnPair(no_hull, no_hull);
+  recorder.OnPair(no_ball, no_ball);
   recorder.Close();
   EXPECT_EQ(recorder.pair_count(), 0U);
   EXPECT_EQ(dgd_bullet::ReadRecord(path_).left_out, 2U);

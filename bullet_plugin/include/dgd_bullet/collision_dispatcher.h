@@ -30,9 +30,9 @@ struct DispatcherOptions {
 /// Pairs of two convex shapes that this library solves, and that stay apart along the axis that has separated them, are
 /// decided from compact arrays: in a heap they are most pairs, and their algorithms would wait for memory. They are
 /// boxes, spheres, capsules, cylinders, cones and hulls of up to 64 points; pairs of kinematic bodies and of
-/// multibodies' links, and those that a recorder sees (Options::recorder), are left to their algorithms. For this each
-/// body and shape is read once, when a dispatch begins; what a callback changes of others in a dispatch counts from the
-/// next one on.
+/// multibodies' links, and those that are observed (Options::pair_observer), are left to their algorithms. For this
+/// each body and shape is read once, when a dispatch begins; what a callback changes of others in a dispatch counts
+/// from the next one on.
 ///
 /// Threads: any Bullet will do. Debian's, which is built without BT_THREADSAFE, has locks neither for its pools nor for
 /// its list of manifolds: here these are locked while pairs are shared, and the list is updated afterwards, in the

@@ -3,16 +3,26 @@
 
 #include "dgd_bullet/linkage.h"
 
+struct btCollisionObjectWrapper;
+
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
-
-class Recorder;
 
 /// What the bodies' surfaces are.
 enum class GeometryMode {
   kBullet,  ///< What Bullet sees: each shape's core, rounded by its margin; boxes of full size with sharp edges.
   kSharp,  ///< No margins: cylinders of full size with sharp edges, hulls, cones and triangles as they are. Spheres and
            ///< capsules keep their radius.
+};
+
+/// Is shown each pair of convex shapes before the narrowphase solves it, as by Recorder (dgd_bullet/recorder.h).
+class PairObserver {
+ public:
+  /// Shows a pair in Bullet's order. Several threads may call this at once. The wrappers end with the call.
+  virtual void OnPair(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1) noexcept = 0;
+
+ protected:
+  ~PairObserver() = default;
 };
 
 /// Writes the message and a line's end to the standard error stream.
@@ -97,8 +107,9 @@ struct Options {
   /// Fill Statistics::pairs. Threads then share counters; without it, none are touched.
   bool count_pairs = false;
 
-  /// Records all pairs that Bullet processes (dgd_bullet/recorder.h), or null. Not owned: must outlive the dispatcher.
-  Recorder* recorder = nullptr;
+  /// The observer of all pairs that Bullet processes, triangles of meshes among them, or null. It is not owned, and
+  /// must outlive the dispatcher.
+  PairObserver* pair_observer = nullptr;
 
   /// Called when the growth distance does not solve a call, for each of the reasons in FallbackCounts once: one line,
   /// without its end, that names the two types of shapes and the reason. All later ones are only counted. Called by

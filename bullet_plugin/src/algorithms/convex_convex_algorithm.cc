@@ -11,7 +11,6 @@
 #include "algorithms/shape_sweep.h"
 #include "bullet_conversions.h"
 #include "dgd/assert.h"
-#include "dgd_bullet/recorder.h"
 #include "pair/pair_pipeline.h"
 #include "prefetch.h"
 
@@ -31,7 +30,7 @@ void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* bod
                                              const btCollisionObjectWrapper* body_1, const btDispatcherInfo& info,
                                              btManifoldResult* output) {
   PrefetchNext(*body_0, *body_1);
-  if (Recorder* recorder = pair_.options().recorder) recorder->Add(*body_0, *body_1);
+  if (PairObserver* observer = pair_.options().pair_observer) observer->OnPair(*body_0, *body_1);
   const PairBodies bodies{*body_0, *body_1};
   Process(bodies, info, *output);
   if (separation_report == nullptr) return;
@@ -49,8 +48,8 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindTriangleContacts(const PairBo
                                                                     const Vector3& normal, const TriangleQuery& query,
                                                                     PairContacts& contacts) {
   DGD_ASSERT(!pair_.manifold.IsOwn());
-  if (Recorder* recorder = pair_.options().recorder) {
-    recorder->Add(convex_and_triangle.first, convex_and_triangle.second);
+  if (PairObserver* observer = pair_.options().pair_observer) {
+    observer->OnPair(convex_and_triangle.first, convex_and_triangle.second);
   }
   const PairOutcome outcome =
       dgd_bullet::FindTriangleContacts(pair_, cache_, convex_and_triangle, normal, query, contacts);

@@ -26,7 +26,7 @@
 #include "pair/pair_patch.h"
 #include "pair/separating_axis.h"
 #include "pair_motion.h"
-#include "record/contact_drawer.h"
+#include "report/contact_drawer.h"
 #include "user_query.h"
 
 namespace dgd_bullet {

@@ -38,7 +38,7 @@ struct Option {
 
 constexpr std::string_view kSwitch = "on or off", kNumber = "a number", kInteger = "an integer";
 
-/// All options but count_pairs, which is a switch of its own, and recorder, which is an object.
+/// All options but count_pairs, which is a switch of its own, and pair_observer, which is an object.
 constexpr Option kOptions[] = {
     {"relative_tolerance", kNumber, SetNumber<&Options::relative_tolerance>},
     {"max_iterations", kInteger, SetNumber<&Options::max_iterations>},

@@ -6,7 +6,7 @@
 
 #include "dgd/assert.h"
 #include "manifold/just_touching.h"
-#include "record/contact_drawer.h"
+#include "report/contact_drawer.h"
 #include "user_query.h"
 
 namespace dgd_bullet {

@@ -41,7 +41,7 @@ class PairAlgorithm : public btCollisionAlgorithm {
 
   /// Whether a call like this one, which finds no contacts either, leaves the pair as it is.
   bool IsUnchangedBy(const PairCall& call) const {
-    return pair_.options().recorder == nullptr && !pair_.had_contact && pair_.manifold.IsOwn() &&
+    return pair_.options().pair_observer == nullptr && !pair_.had_contact && pair_.manifold.IsOwn() &&
            pair_.manifold.IsEmpty() && CanDoWithoutManifold(call) == !pair_.manifold;
   }
 

@@ -14,7 +14,7 @@
 #include "dgd_bullet/statistics.h"
 #include "fallback.h"
 #include "pair_outcome.h"
-#include "record/pair_counters.h"
+#include "report/pair_counters.h"
 #include "shapes/hull_cache.h"
 
 class btDispatcher;

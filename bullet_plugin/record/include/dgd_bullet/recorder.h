@@ -6,19 +6,18 @@
 #include <string>
 
 #include "dgd_bullet/linkage.h"
-
-struct btCollisionObjectWrapper;
+#include "dgd_bullet/options.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
-/// A file of recorded pairs (dgd_bullet/record_file.h). Set as Options::recorder, it is given each pair of convex
-/// shapes that the dispatcher processes; with another narrowphase, the app calls Add() itself. Any number of threads
+/// A file of recorded pairs (dgd_bullet/record_file.h). Set as Options::pair_observer, it is shown each pair of convex
+/// shapes that the dispatcher processes; with another narrowphase, the app calls OnPair() itself. Any number of threads
 /// may.
 ///
 /// Left out, and counted, are shapes that only their own support function describes (multi-spheres, scaled shapes,
 /// users' own), and what is no shape: without points, or with a size that is not finite.
-class DGD_BULLET_EXPORT Recorder {
+class DGD_BULLET_EXPORT Recorder final : public PairObserver {
  public:
   /// Makes or replaces the file. Throws std::runtime_error naming it if it cannot be written.
   explicit Recorder(const std::string& path);
@@ -31,7 +30,7 @@ class DGD_BULLET_EXPORT Recorder {
 
   /// One pair of convex shapes, in the order in which Bullet queries them. Never throws: errors of writing are reported
   /// at the end.
-  void Add(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1) noexcept;
+  void OnPair(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1) noexcept override;
 
   std::uint64_t pair_count() const;  ///< So far, without those left out.
 

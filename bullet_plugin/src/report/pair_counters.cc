@@ -1,4 +1,4 @@
-#include "record/pair_counters.h"
+#include "report/pair_counters.h"
 
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 

@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "dgd_bullet/record_file.h"
-#include "record/record_format.h"
+#include "record_format.h"
 #include "shapes/shape_adapter.h"
 
 namespace dgd_bullet {
@@ -220,7 +220,7 @@ Recorder::~Recorder() {
 
 void Recorder::NextStep() { writer_->NextStep(); }
 
-void Recorder::Add(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1) noexcept {
+void Recorder::OnPair(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1) noexcept {
   try {
     writer_->Add(body_0, body_1);
   } catch (const std::exception&) {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "record/record_format.h"
+#include "record_format.h"
 
 namespace dgd_bullet {
 namespace {

@@ -1,4 +1,4 @@
-#include "record/contact_drawer.h"
+#include "report/contact_drawer.h"
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <LinearMath/btIDebugDraw.h>
