@@ -1,8 +1,7 @@
 // What PairStatistics reports, counted by all threads at once.
 #pragma once
 
-#include <array>
-#include <atomic>
+#include <mutex>
 #include <vector>
 
 #include "dgd_bullet/linkage.h"
@@ -12,7 +11,6 @@
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
-/// Each number is counted on its own, relaxed: nothing is inferred from two of them while they are counted.
 class PairCounters {
  public:
   PairCounters();
@@ -25,18 +23,10 @@ class PairCounters {
   std::vector<PairStatistics> Read() const;
 
  private:
-  using Counter = std::atomic<std::uint64_t>;
-  struct Row {
-    Counter separated{0}, recycled{0}, solved{0}, deep{0};
-    std::array<Counter, kFallbacks> fallbacks{};
-    std::array<Counter, PairStatistics::kMaxIterations + 1> iterations{};
-    std::array<Counter, 5> patch_sizes{};
-    std::atomic<double> worst_gap{0};
-  };
+  PairStatistics& RowOf(int type_0, int type_1);
 
-  Row& RowOf(int type_0, int type_1);
-
-  std::vector<Row> rows_;
+  mutable std::mutex mutex_;
+  std::vector<PairStatistics> rows_;  // A table of all pairs of types.
 };
 
 }  // namespace DGD_BULLET_PRECISION
