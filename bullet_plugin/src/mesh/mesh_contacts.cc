@@ -219,26 +219,21 @@ void MeshContacts::ClassifyFace(Patch& patch) {
 }
 
 MeshContacts::Feature MeshContacts::HighestFeature(const MeshTriangle& triangle, const Vector3& direction) const {
-  std::array<double, 3> heights;
-  for (int corner = 0; corner < 3; ++corner) {
-    heights[static_cast<std::size_t>(corner)] = direction.dot(Corner(triangle, corner));
+  int highest = 0;
+  for (const int corner : {1, 2}) {
+    if (direction.dot(Corner(triangle, corner)) > direction.dot(Corner(triangle, highest))) highest = corner;
   }
-  const int highest = static_cast<int>(std::max_element(heights.begin(), heights.end()) - heights.begin());
-  const int next = highest == 2 ? 0 : highest + 1, last = highest == 0 ? 2 : highest - 1;
-  // The second highest; of corners that are all as high, as a thin triangle's, the one farther away.
-  const auto is_level = [&](int corner) {
-    const double fall = heights[static_cast<std::size_t>(highest)] - heights[static_cast<std::size_t>(corner)];
+  // Of corners that are all as high, as a thin triangle's, the one farther away.
+  int other = highest;
+  double longest_sq = 0;
+  for (const int corner : {0, 1, 2}) {
     const Vector3 way = Corner(triangle, corner) - Corner(triangle, highest);
-    return fall * fall <= kMaxSine * kMaxSine * way.squaredNorm();
-  };
-  const bool is_next = is_level(next), is_last = is_level(last);
-  if (!is_next && !is_last) return {{highest, highest}, 1};
-  const auto distance_sq = [&](int corner) {
-    return (Corner(triangle, corner) - Corner(triangle, highest)).squaredNorm();
-  };
-  const int other =
-      is_next && is_last ? (distance_sq(next) > distance_sq(last) ? next : last) : (is_next ? next : last);
-  return {{highest, other}, 2};
+    const double fall = direction.dot(way), length_sq = way.squaredNorm();
+    if (!(length_sq > longest_sq) || !(fall * fall <= kMaxSine * kMaxSine * length_sq)) continue;
+    other = corner;
+    longest_sq = length_sq;
+  }
+  return {{highest, other}, other == highest ? 1 : 2};
 }
 
 void MeshContacts::ClassifyFeature(std::size_t index) {
@@ -250,7 +245,7 @@ void MeshContacts::ClassifyFeature(std::size_t index) {
   const Feature feature = HighestFeature(own, normal);
   const btVector3& first = own.corners[static_cast<std::size_t>(feature.corners[0])];
   const btVector3& second = own.corners[static_cast<std::size_t>(feature.corners[1])];
-  // Where the contact is on the feature; deep inside each other, witness points are off both.
+  // The contact's place on the feature: witness points of bodies deep inside each other are off both.
   const btVector3 seen = NearestOn(first, second, mesh_->invXform(ToBullet(contacts_[patch.begin].on_b)));
   const auto hides = [&](const MeshTriangle& other) {
     if (HasCorner(other, first, tolerance) && (feature.size == 1 || HasCorner(other, second, tolerance))) {
