@@ -6,10 +6,14 @@
 // scaling have no effect; boxes have sharp edges, other shapes are what Bullet's GJK sees.
 #pragma once
 
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <BulletCollision/CollisionShapes/btCollisionShape.h>
+
 #include <memory>
 
 #include "algorithms/pair_algorithm.h"
 #include "dgd_bullet/linkage.h"
+#include "pair/plane_pipeline.h"
 #include "shapes/hull_cache.h"
 
 namespace dgd_bullet {
@@ -20,7 +24,10 @@ class ConvexPlaneAlgorithm final : public PairAlgorithm {
   using PairAlgorithm::PairAlgorithm;
 
   void processCollision(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1,
-                        const btDispatcherInfo& info, btManifoldResult* output) override;
+                        const btDispatcherInfo& info, btManifoldResult* output) override {
+    const bool is_plane_first = body_0->getCollisionShape()->getShapeType() == STATIC_PLANE_PROXYTYPE;
+    Process(PairBodies{*body_0, *body_1}.InOrder(is_plane_first), info, *output);
+  }
 
   /// 1, as Bullet's: its worlds sweep shapes against planes themselves.
   btScalar calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&,
@@ -29,7 +36,7 @@ class ConvexPlaneAlgorithm final : public PairAlgorithm {
   }
 
  private:
-  PairOutcome RunPipeline(const PairCall& call) override;
+  PairOutcome RunPipeline(const PairCall& call) override { return RunPlanePipeline(pair_, hull_, call); }
 
   std::shared_ptr<const CachedHull> hull_;
 };
