@@ -1,5 +1,3 @@
-#include "shapes/hull_cache.h"
-
 #include <BulletCollision/CollisionShapes/btConvexShape.h>
 
 #include <algorithm>
@@ -12,25 +10,14 @@
 
 #include "dgd/assert.h"
 #include "prefetch.h"
+#include "shapes/hull_cache.h"
 #include "shapes/shape_points.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 namespace {
 
-std::vector<unsigned char> CopyBytes(const ShapePoints& points) {
-  if (points.Bytes() == nullptr) return {};
-  return {points.Bytes(), points.Bytes() + points.ByteSize()};
-}
-
-std::vector<Vector3> CopyPoints(const ShapePoints& points) {
-  std::vector<Vector3> copies;
-  if (points.Bytes() != nullptr) return copies;
-  for (int i = 0; i < points.Count(); ++i) copies.push_back(points[i]);
-  return copies;
-}
-
-/// Without facets where that is enough.
+/// The hull, without facets where that is enough.
 dgd::ConvexHull FirstHullOf(const std::vector<Vector3>& points) {
   std::optional<dgd::ConvexHull> hull = dgd::HullWithoutFacets(points);
   return hull ? *std::move(hull) : dgd::BuildConvexHull(points);
@@ -44,42 +31,21 @@ constexpr int kScannedQueries = 24;
 /// over so many queries more.
 constexpr unsigned kSpread = 80;
 
-/// Where this thread keeps the hull that it last found for the shape, or for another in its place. Of whichever cache:
-/// a hull that matches a shape is the shape's.
-std::weak_ptr<const CachedHull>& LastFound(const btConvexShape& shape) {
-  constexpr std::size_t kPlaces = 64;  // A kilobyte a thread, for the shapes of a compound and what meets it.
-  thread_local std::array<std::weak_ptr<const CachedHull>, kPlaces> places;
-  // Shapes lie on the heap, some hundred bytes apart.
-  const auto address = reinterpret_cast<std::uintptr_t>(&shape);
-  return places[(address >> 4 ^ address >> 10) % kPlaces];
-}
-
 }  // namespace
 
-CachedHull::CachedHull(const btConvexShape& shape, int scanned_queries)
+CachedHull::CachedHull(const btConvexShape& shape, const ShapePoints& points, int scanned_queries)
     : shape_(&shape),
-      count_(ShapePoints(shape).Count()),
-      scaling_(ShapePoints(shape).Scaling()),
-      bytes_(CopyBytes(ShapePoints(shape))),
-      points_(CopyPoints(ShapePoints(shape))),
+      layout_(points.layout()),
+      scaling_(points.Scaling()),
+      bytes_(points.Bytes().begin(), points.Bytes().end()),
       first_core_(FirstHullOf(AllPoints(shape))),
       scanned_queries_(scanned_queries) {}
 
 bool CachedHull::Matches(const btConvexShape& shape) const {
   if (&shape != shape_) return false;
   const ShapePoints points(shape);
-  DGD_ASSERT(bytes_.empty() || points_.empty());
-  if (points.Count() != count_ || !(points.Scaling() == scaling_)) return false;
-  if (!bytes_.empty()) {
-    // Another type of shape, which has no array, may have taken the address.
-    return points.Bytes() != nullptr && points.ByteSize() == bytes_.size() &&
-           std::memcmp(points.Bytes(), bytes_.data(), bytes_.size()) == 0;
-  }
-  for (int i = 0; i < count_; ++i) {
-    // False for NaN: such a shape is never cached.
-    if (!(points[i] == points_[static_cast<std::size_t>(i)])) return false;
-  }
-  return true;
+  return points.layout() == layout_ && points.Scaling() == scaling_ &&
+         std::memcmp(points.Bytes().data(), bytes_.data(), bytes_.size()) == 0;
 }
 
 const dgd::Polytope<double>& CachedHull::CoreOfNewHull(HullUse use) const {
@@ -88,7 +54,7 @@ const dgd::Polytope<double>& CachedHull::CoreOfNewHull(HullUse use) const {
       core_with_facets_.emplace(dgd::WithFacets(first_core_.Hull()));
       core_.store(&*core_with_facets_, std::memory_order_release);
     } catch (const std::exception&) {
-      // Without memory, or where Qhull fails, the points are scanned as before.
+      // The points are scanned as before without memory, or where Qhull fails.
     }
   };
   const bool is_large = first_core_.VertexCount() > dgd::kMostScannedVertices;
@@ -111,16 +77,6 @@ void CachedHull::Prefetch() const {
 }
 
 std::shared_ptr<const CachedHull> HullCache::Find(const btConvexShape& shape) {
-  std::weak_ptr<const CachedHull>& last_found = LastFound(shape);
-  std::shared_ptr<const CachedHull> hull = last_found.lock();
-  if (hull == nullptr || !hull->Matches(shape)) {
-    hull = FindShared(shape);
-    last_found = hull;
-  }
-  return hull;
-}
-
-std::shared_ptr<const CachedHull> HullCache::FindShared(const btConvexShape& shape) {
   {
     const std::shared_lock lock(mutex_);
     const auto found = hulls_.find(&shape);

@@ -1,15 +1,15 @@
 // Hulls of Bullet's point shapes: built once per shape, shared between its pairs, found again by address and content.
 //
 // Bullet reports to nobody when a shape changes or dies, and a new one may take its address. A hull is therefore only
-// used after its shape has been compared with what the hull was made from: number of points, scaling, and every point,
-// which costs less than one evaluation of the support function that looks at all of them.
+// used after its shape has been compared with what the hull was made from, point by point, which costs less than one
+// evaluation of the support function.
 //
-// A new hull has no facets: its first queries scan its points, for a support point as for the face there. Facets of 20
-// points take 70 us, as long as some hundred queries without them, and many hulls live no longer: debris, shapes of a
-// query, casts. So they are built once a hull has been queried often enough, by whichever thread does so then. Results
-// stay the same to the last bit. Above dgd::kMostScannedVertices points they change by roundoff: there only an app's
-// own queries do without facets, for a step's pairs, which threads may share, must not depend on each other. Flat and
-// long hulls have facets from the start, which say where their centre may be (dgd::IsElongated()).
+// A new hull has no facets: its first queries scan its points. Facets of 20 points take 70 us, as long as some hundred
+// queries without them, and many hulls live no longer: debris, shapes of a query, casts. So they are built once a hull
+// has been queried often enough, by whichever thread does so then. Results stay the same to the last bit. Above
+// dgd::kMostScannedVertices points they change by roundoff: there only an app's own queries do without facets, since a
+// step's pairs, which threads may share, must not depend on each other. Flat and long hulls have facets from the start,
+// which say where their centre may be (dgd::IsElongated()).
 #pragma once
 
 #include <atomic>
@@ -41,12 +41,13 @@ class CachedHull {
  public:
   /// @param scanned_queries  Number of queries that are solved without facets.
   /// Throws std::invalid_argument if the shape has no points or one is not finite.
-  CachedHull(const btConvexShape& shape, int scanned_queries);
+  CachedHull(const btConvexShape& shape, int scanned_queries)
+      : CachedHull(shape, ShapePoints(shape), scanned_queries) {}
 
   /// Whether this was made from the shape as it is now.
   bool Matches(const btConvexShape& shape) const;
 
-  /// For one query, which this counts; valid as long as this is.
+  /// The core for one query, which this counts; valid as long as this is.
   const dgd::Polytope<double>& CoreForQuery(HullUse use) const {
     const dgd::Polytope<double>& core = *core_.load(std::memory_order_acquire);
     return HasFacets(core.Hull()) ? core : CoreOfNewHull(use);
@@ -57,13 +58,13 @@ class CachedHull {
   void Prefetch() const;
 
  private:
+  CachedHull(const btConvexShape& shape, const ShapePoints& points, int scanned_queries);
   const dgd::Polytope<double>& CoreOfNewHull(HullUse use) const;
 
   const btConvexShape* shape_;
-  int count_;
+  ShapePoints::Layout layout_;
   btVector3 scaling_;
-  std::vector<unsigned char> bytes_;  // The points as they lie in memory, where they are an array ...
-  std::vector<Vector3> points_;       // ... else each of them, scaled.
+  std::vector<unsigned char> bytes_;  // The points as they lie in memory.
   const dgd::Polytope<double> first_core_;
   const int scanned_queries_;
   mutable std::atomic<int> queries_ = 0;
@@ -74,13 +75,10 @@ class CachedHull {
 
 class HullCache {
  public:
-  /// The hull of the shape as it is now. Thread-safe, and without a lock if this thread has found it before: pairs that
-  /// live for a step, of children of meshes and compounds, search it each time. Throws as CachedHull.
+  /// The hull of the shape as it is now. Thread-safe. Throws as CachedHull.
   std::shared_ptr<const CachedHull> Find(const btConvexShape& shape);
 
  private:
-  std::shared_ptr<const CachedHull> FindShared(const btConvexShape& shape);
-
   /// Drops hulls that no pair holds once there are twice as many as after the last time: shapes that are gone cost
   /// memory for a while, never a wrong result.
   void Prune();

@@ -55,11 +55,9 @@ bool IsHullOfPoints(const btConvexShape& shape) {
   }
 }
 
-ShapePoints::ShapePoints(const btConvexShape& shape)
-    : shape_(shape), stride_(sizeof(btVector3)), is_double_(sizeof(btScalar) == sizeof(double)), scaling_(&kUnscaled) {
+ShapePoints::ShapePoints(const btConvexShape& shape) : scaling_(&kUnscaled) {
   const auto set_array = [this](const btVector3* points, int count, const btVector3& scaling) {
-    count_ = count;
-    is_vector_array_ = count > 0;
+    layout_.count = count;
     if (count > 0) base_ = reinterpret_cast<const unsigned char*>(points);
     scaling_ = &scaling;
   };
@@ -80,9 +78,13 @@ ShapePoints::ShapePoints(const btConvexShape& shape)
       set_array(&spheres.getSpherePosition(0), spheres.getSphereCount(), spheres.getLocalScalingNV());
       break;
     }
-    case TETRAHEDRAL_SHAPE_PROXYTYPE:
-      count_ = static_cast<const btBU_Simplex1to4&>(shape).getNumVertices();
+    case TETRAHEDRAL_SHAPE_PROXYTYPE: {
+      const auto& simplex = static_cast<const btBU_Simplex1to4&>(shape);
+      const int count = simplex.getNumVertices();
+      for (int i = 0; i < count; ++i) simplex.getVertex(i, corners_[static_cast<std::size_t>(i)]);
+      set_array(corners_.data(), count, kUnscaled);
       break;
+    }
     case CONVEX_TRIANGLEMESH_SHAPE_PROXYTYPE: {
       const btStridingMeshInterface* mesh = static_cast<const btConvexTriangleMeshShape&>(shape).getMeshInterface();
       if (mesh->getNumSubParts() < 1) break;
@@ -90,11 +92,11 @@ ShapePoints::ShapePoints(const btConvexShape& shape)
       const unsigned char* indices = nullptr;
       int index_stride = 0, faces = 0;
       PHY_ScalarType vertex_type{}, index_type{};
-      mesh->getLockedReadOnlyVertexIndexBase(&vertices, count_, vertex_type, stride_, &indices, index_stride, faces,
-                                             index_type, 0);
+      mesh->getLockedReadOnlyVertexIndexBase(&vertices, layout_.count, vertex_type, layout_.stride, &indices,
+                                             index_stride, faces, index_type, 0);
       mesh->unLockReadOnlyVertexBase(0);
       base_ = vertices;
-      is_double_ = vertex_type == PHY_DOUBLE;
+      layout_.is_double = vertex_type == PHY_DOUBLE;
       scaling_ = &mesh->getScaling();
       break;
     }
@@ -104,15 +106,16 @@ ShapePoints::ShapePoints(const btConvexShape& shape)
 }
 
 Vector3 ShapePoints::operator[](int i) const {
-  DGD_ASSERT(i >= 0 && i < count_);
-  if (base_ == nullptr) {
-    btVector3 vertex;
-    static_cast<const btPolyhedralConvexShape&>(shape_).getVertex(i, vertex);
-    return FromBullet(vertex);
-  }
-  const auto* bytes = base_ + static_cast<std::ptrdiff_t>(i) * stride_;
-  const Vector3 point = is_double_ ? ReadPoint<double>(bytes) : ReadPoint<float>(bytes);
+  DGD_ASSERT(i >= 0 && i < Count());
+  const auto* bytes = base_ + static_cast<std::ptrdiff_t>(i) * layout_.stride;
+  const Vector3 point = layout_.is_double ? ReadPoint<double>(bytes) : ReadPoint<float>(bytes);
   return point.cwiseProduct(FromBullet(*scaling_));
+}
+
+std::span<const unsigned char> ShapePoints::Bytes() const {
+  if (layout_.count < 1) return {};
+  const std::size_t point_size = 3 * (layout_.is_double ? sizeof(double) : sizeof(float));
+  return {base_, static_cast<std::size_t>(layout_.count - 1) * static_cast<std::size_t>(layout_.stride) + point_size};
 }
 
 std::vector<Vector3> AllPoints(const btConvexShape& shape) {

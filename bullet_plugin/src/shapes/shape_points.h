@@ -1,7 +1,11 @@
 // The points of the Bullet shapes that are hulls of points, scaled as Bullet's own support functions scale them.
 #pragma once
 
+#include <LinearMath/btVector3.h>
+
+#include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "bullet_conversions.h"
@@ -19,24 +23,30 @@ bool IsHullOfPoints(const btConvexShape& shape);
 /// Random access to the points of a shape for which IsHullOfPoints() holds; valid while the shape is not changed.
 class ShapePoints {
  public:
-  explicit ShapePoints(const btConvexShape& shape);
+  /// How the points lie in memory.
+  struct Layout {
+    bool operator==(const Layout&) const = default;
 
-  int Count() const { return count_; }
+    int count = 0, stride = sizeof(btVector3);  // The stride is in bytes.
+    bool is_double = sizeof(btScalar) == sizeof(double);
+  };
+
+  explicit ShapePoints(const btConvexShape& shape);
+  ShapePoints(const ShapePoints&) = delete;
+  ShapePoints& operator=(const ShapePoints&) = delete;
+
+  int Count() const { return layout_.count; }
   Vector3 operator[](int i) const;
   const btVector3& Scaling() const { return *scaling_; }
-
-  /// The points as they lie in memory, ByteSize() bytes before scaling; null where they are not an array of btVector3.
-  const unsigned char* Bytes() const { return is_vector_array_ ? base_ : nullptr; }
-  std::size_t ByteSize() const { return static_cast<std::size_t>(count_) * static_cast<std::size_t>(stride_); }
+  const Layout& layout() const { return layout_; }
+  /// The points before scaling, from the first one's beginning to the last one's end.
+  std::span<const unsigned char> Bytes() const;
 
  private:
-  const btConvexShape& shape_;
-  const unsigned char* base_ = nullptr;  // Of the points, for the types that keep them in an array.
-  int stride_ = 0;                       // Bytes.
-  bool is_vector_array_ = false;         // Else the vertex buffer of somebody's mesh.
-  bool is_double_ = false;
-  int count_ = 0;
+  Layout layout_;
+  const unsigned char* base_ = nullptr;
   const btVector3* scaling_;
+  std::array<btVector3, 4> corners_;  // Those of a tetrahedron, which has no array.
 };
 
 /// All points of the shape that belong to its hull.
