@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "bullet_conversions.h"
-#include "dgd/assert.h"
 #include "dgd/motion.h"
 #include "dgd_bullet/linkage.h"
 
@@ -43,12 +42,12 @@ class PairMotion {
   /// Whether one of the bodies is a multibody's link.
   bool IsOfLinks() const { return a_.is_link || b_.is_link; }
 
-  /// Metres by which the surfaces come closer along `normal` (unit, from A to B) at a world point within the step, if
-  /// no constraint acts; negative if they part.
+  /// The length by which the surfaces come closer along `normal` (unit, from A to B) at a world point within the step,
+  /// if no constraint acts, in metres; negative if they part.
   double Approach(const Vector3& point, const Vector3& normal) const {
     return time_step_ * normal.dot(a_.PredictedVelocityAt(point) - b_.PredictedVelocityAt(point));
   }
-  /// The same by their present velocities alone: what supports a body takes up its weight.
+  /// Approach() by the present velocities alone: what supports a body takes up its weight.
   double Coasting(const Vector3& point, const Vector3& normal) const {
     return time_step_ * ApproachSpeed(point, point, normal);
   }
@@ -59,25 +58,21 @@ class PairMotion {
   }
   double ApproachSpeedGain(const Vector3& normal) const { return normal.dot(a_.gain - b_.gain); }
 
-  /// No point of either body approaches the other by more than this: along `normal` (unit, from A to B), or at all.
-  /// Metres.
-  double MaxApproach(const Vector3& normal) const {
-    DGD_ASSERT(!(std::abs(normal.squaredNorm() - 1) > 1e-3));
-    return time_step_ * (normal.dot(RelativeVelocity()) + a_.RimSpeed(normal) + b_.RimSpeed(normal));
-  }
+  /// A bound on how far any point of either body approaches the other; metres.
   double MaxApproach() const {
     return time_step_ * (RelativeVelocity().norm() + a_.angular.norm() * a_.radius + b_.angular.norm() * b_.radius);
   }
-  /// Whether MaxApproach() may be as much as `distance`, metres; also where velocities are NaN. Mostly without a root.
+  /// Whether a point of either body may approach the other by as much as `distance` along `normal` (unit, from A to B),
+  /// metres; also where velocities are NaN. Mostly without a root.
   bool MayApproachBy(double distance, const Vector3& normal) const {
     return MayCloseBy(distance, normal, normal.dot(RelativeVelocity()));
   }
-  /// The same by the bodies' present velocities alone.
+  /// MayApproachBy() by the present velocities alone.
   bool MayCoastBy(double distance, const Vector3& normal) const {
     return MayCloseBy(distance, normal, normal.dot(a_.linear - b_.linear));
   }
 
-  /// The motion at the present velocities: what supports a body takes up its weight.
+  /// The motion at the present velocities.
   PairMotion WithoutForces() const {
     PairMotion coasting = *this;
     for (Twist* twist : {&coasting.a_, &coasting.b_}) twist->gain = Vector3::Zero();
@@ -123,10 +118,10 @@ class PairMotion {
     double RimSpeed(const Vector3& normal) const { return angular.cross(normal).norm() * radius; }
 
     Vector3 linear = Vector3::Zero();   // Velocity of the centre of mass, metres per second.
-    Vector3 angular = Vector3::Zero();  // Radians per second.
+    Vector3 angular = Vector3::Zero();  // Angular velocity, radians per second.
     Vector3 gain = Vector3::Zero();     // What the forces on the body add to its velocity within the step.
-    Vector3 center = Vector3::Zero();   // World, metres.
-    double radius = 0;                  // From the centre to the body's farthest point, metres.
+    Vector3 center = Vector3::Zero();   // Centre of mass, world, metres.
+    double radius = 0;                  // Distance of the farthest point from the centre, metres.
     bool is_link = false;               // Whether the body is a multibody's link.
   };
 

@@ -17,17 +17,16 @@ struct SeparationReport {
   /// neither its contacts nor its manifold nor what is cached. Only then is valid what follows.
   bool is_apart = false;
   bool is_swapped = false;      ///< Whether body A is the second one of the call.
-  bool is_counted = false;      ///< Whether the narrowphase counts such calls.
   double separation = -1;       ///< Lower bound of the distance along the normal, metres; < 0 if there is none.
   double contact_distance = 0;  ///< Bodies that are nearer than this may have contacts; metres.
-  btVector3 normal_in_a;        ///< From A to B, in A's frame; unit.
-  btVector3 normal_w;           ///< The same in the world.
+  btVector3 normal_in_a;        ///< Normal from A to B, in A's frame; unit.
+  btVector3 normal_w;           ///< The normal in the world.
 };
 
-/// Where the thread's calls report to, or null.
+/// The place that the thread's calls report to, or null.
 extern constinit thread_local SeparationReport* separation_report;
 
-/// Has the thread's calls report to one place, as long as this lives.
+/// Sets that place as long as this lives.
 class ReportScope {
  public:
   explicit ReportScope(SeparationReport& report) : outer_(separation_report) { separation_report = &report; }

@@ -1,11 +1,9 @@
 // Pairs are visited in nearly the same order in each step, and in a world of thousands no cache holds them all: what
-// came after a pair in the last step can be prefetched while this one is solved. The narrowphase of a heap of 3000
-// boxes takes a quarter less time by that: Bullet's call alone, which begins with the pair's virtual table, had waited
-// for 5 % of the whole step (perf). What the pair points to, and its two bodies, save another 3 % each. To prefetch
-// more than one pair ahead brings no more.
+// came after a pair in the last step can be prefetched while this one is solved. Bullet's call, which begins with the
+// pair's virtual table, had waited for 5 % of the whole step of a heap of 3000 boxes (perf). To prefetch more than one
+// pair ahead brings no more, and what the pair points to, or its two bodies, less than 5 % of the narrowphase.
 #pragma once
 
-#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -18,38 +16,29 @@
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
-/// What one thread has visited last: addresses where something was, or null.
+/// The addresses that one thread has visited last.
 class VisitingOrder {
  public:
   /// Number of a visit; what is visited stores its last one, and 0 before.
   using Place = std::uint32_t;
 
-  /// A pair, and what else its visit reads.
-  struct Visited {
-    const void* pair = nullptr;
-    const void* recycled = nullptr;        // Its recycled contacts.
-    const void* contacts = nullptr;        // Its manifold's points, if it had any.
-    const void* manifold_state = nullptr;  // The manifold's number of contacts and breaking threshold.
-    std::array<const void*, 2> bodies{};
-  };
-
-  /// Largest number of visits in a step for which the last step's order is available: three megabytes a thread, as far
-  /// as they are used.
+  /// Largest number of visits in a step for which the last step's order is available.
   static constexpr std::size_t kPlaces = std::size_t{1} << 16;
 
-  /// Without memory for it, the order stays unknown.
-  VisitingOrder() : visits_(static_cast<Visited*>(std::calloc(kPlaces, sizeof(Visited)))), now_(FirstPlace()) {}
+  /// The order stays unknown without memory for it.
+  VisitingOrder() : visits_(static_cast<const void**>(std::calloc(kPlaces, sizeof(void*)))), now_(FirstPlace()) {}
 
   /// Notes a visit.
   /// @param place  In and out: place of the last visit of the same, on any thread.
-  /// @return What was visited next after that last visit; nothing if that is unknown. It may not exist any more.
-  Visited Visit(const Visited& visited, Place& place) {
-    if (visits_ == nullptr) return {};
-    // Not the last visit of all, nor one that has been overwritten, nor most likely of another thread.
+  /// @return the address that was visited next after that last visit, where nothing may be any more; null if that is
+  ///         unknown.
+  const void* Visit(const void* visited, Place& place) {
+    if (visits_ == nullptr) return nullptr;
+    // The last visit of all has no next one, old ones have been overwritten, and others are of another thread, mostly.
     const bool is_known = now_ - place >= 2 && now_ - place < kPlaces;
-    const Visited next = is_known ? At(place + 1) : Visited{};
-    DGD_ASSERT(visited.pair != nullptr);
-    At(now_) = visited;
+    const void* next = is_known ? visits_[(place + 1) % kPlaces] : nullptr;
+    DGD_ASSERT(visited != nullptr);
+    visits_[now_ % kPlaces] = visited;
     place = now_++;
     return next;
   }
@@ -71,11 +60,7 @@ class VisitingOrder {
     return threads.fetch_add(1, std::memory_order_relaxed) * kGolden;
   }
 
-  Visited& At(Place place) { return visits_[place % kPlaces]; }
-
-  // From calloc(), whose pages cost nothing until they are visited: to write zeros to all of them took the first step
-  // of a world 18 ms on a virtual machine.
-  std::unique_ptr<Visited[], Free> visits_;
+  std::unique_ptr<const void*[], Free> visits_;  // Pages of calloc() cost nothing until they are visited.
   Place now_;
 };
 

@@ -46,11 +46,15 @@ void ExpectSameWorlds(const DispatcherChoice& choice, const dgd_bullet::Options&
 }
 
 TEST(CollisionDispatcher, AnyNumberOfThreads_GivesTheWorldOfBulletsDispatcher) {
-  for (const int threads : {1, 2, 3}) ExpectSameWorlds(Threads(threads), Counting());
+  for (const int threads : {1, 2, 3}) ExpectSameWorlds(Threads(threads), {});
+}
+
+TEST(CollisionDispatcher, CountedPairs_HaveTheStatisticsOfBulletsDispatcher) {
+  ExpectSameWorlds(Threads(2), Counting());
 }
 
 TEST(CollisionDispatcher, WithoutEmptyManifolds_ListsManifoldsInBulletsOrder) {
-  dgd_bullet::Options options = Counting();
+  dgd_bullet::Options options;
   options.keep_empty_manifolds = false;
   for (const int threads : {1, 3}) ExpectSameWorlds(Threads(threads), options);
 }

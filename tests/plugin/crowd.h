@@ -25,7 +25,7 @@ using State = std::vector<double>;
 /// and changes them.
 class Crowd {
  public:
-  explicit Crowd(const DispatcherChoice& dispatcher, const dgd_bullet::Options& options = Counting())
+  explicit Crowd(const DispatcherChoice& dispatcher, const dgd_bullet::Options& options = {})
       : world_(Route::kConfiguration, options, dispatcher) {
     world_.AddGround();
     world_.Add(world_.Make<btStaticPlaneShape>(Vec(-0.6, 0, 0.8), btScalar(-3)), 0, btTransform::getIdentity());

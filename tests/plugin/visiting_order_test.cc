@@ -17,7 +17,7 @@ struct Pair {
 /// What each visit says comes next.
 std::vector<const void*> VisitAll(VisitingOrder& order, const std::vector<Pair*>& pairs) {
   std::vector<const void*> next;
-  for (Pair* pair : pairs) next.push_back(order.Visit({.pair = pair}, pair->place).pair);
+  for (Pair* pair : pairs) next.push_back(order.Visit(pair, pair->place));
   return next;
 }
 
@@ -48,8 +48,8 @@ TEST(VisitingOrder, PairsThatComeAndGo_TheOthersKeepTheirs) {
 TEST(VisitingOrder, TheLastVisitOfAll_NothingCameNext) {
   VisitingOrder order;
   Pair a;
-  order.Visit({.pair = &a}, a.place);
-  EXPECT_EQ(order.Visit({.pair = &a}, a.place).pair, nullptr);
+  order.Visit(&a, a.place);
+  EXPECT_EQ(order.Visit(&a, a.place), nullptr);
 }
 
 TEST(VisitingOrder, VisitsLongAgo_AreForgotten) {
@@ -57,14 +57,14 @@ TEST(VisitingOrder, VisitsLongAgo_AreForgotten) {
   Pair a, b;
   std::vector<Pair> others(VisitingOrder::kPlaces - 2);
   const auto visit_others = [&](std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) order.Visit({.pair = &others[i]}, others[i].place);
+    for (std::size_t i = 0; i < count; ++i) order.Visit(&others[i], others[i].place);
   };
   VisitAll(order, {&a, &b});
   visit_others(others.size() - 1);
-  EXPECT_EQ(order.Visit({.pair = &a}, a.place).pair, &b);
+  EXPECT_EQ(order.Visit(&a, a.place), &b);
   VisitAll(order, {&b, &a, &b});
   visit_others(others.size());
-  EXPECT_EQ(order.Visit({.pair = &a}, a.place).pair, nullptr);
+  EXPECT_EQ(order.Visit(&a, a.place), nullptr);
 }
 
 TEST(VisitingOrder, AnotherThread_KnowsNothingOfThisOnes) {

@@ -18,7 +18,7 @@ namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 namespace {
 
-/// Whether a body moves by less than the app wants to have swept.
+/// Whether a body moves by less than its CCD motion threshold.
 bool IsSlow(const btCollisionObject& body) {
   const btVector3 way = body.getInterpolationWorldTransform().getOrigin() - body.getWorldTransform().getOrigin();
   return way.length2() < body.getCcdSquareMotionThreshold();
@@ -29,7 +29,9 @@ bool IsSlow(const btCollisionObject& body) {
 void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* body_0,
                                              const btCollisionObjectWrapper* body_1, const btDispatcherInfo& info,
                                              btManifoldResult* output) {
-  PrefetchNext(*body_0, *body_1);
+  if (const void* next = VisitingOrder::OfThisThread().Visit(this, pair_.place)) {
+    Prefetch(next, sizeof(ConvexConvexAlgorithm));
+  }
   if (PairObserver* observer = pair_.options().pair_observer) observer->OnPair(*body_0, *body_1);
   const PairBodies bodies{*body_0, *body_1};
   Process(bodies, info, *output);
@@ -37,7 +39,6 @@ void ConvexConvexAlgorithm::processCollision(const btCollisionObjectWrapper* bod
   separation_report->algorithm = this;
   separation_report->is_apart =
       separation_report->separation > 0 && IsUnchangedBy({bodies, info, *m_dispatcher, *output});
-  separation_report->is_counted = pair_.options().count_pairs;
 }
 
 PairOutcome ConvexConvexAlgorithm::RunPipeline(const PairCall& call) {
@@ -55,23 +56,6 @@ std::optional<Fallback> ConvexConvexAlgorithm::FindTriangleContacts(const PairBo
       dgd_bullet::FindTriangleContacts(pair_, cache_, convex_and_triangle, normal, query, contacts);
   Count(convex_and_triangle, outcome);
   return outcome.fallback;
-}
-
-void ConvexConvexAlgorithm::PrefetchNext(const btCollisionObjectWrapper& body_0,
-                                         const btCollisionObjectWrapper& body_1) {
-  const PairManifold& manifold = pair_.manifold;
-  VisitingOrder::Visited now{.pair = this, .bodies = {body_0.getCollisionObject(), body_1.getCollisionObject()}};
-  if (pair_.is_recyclable) now.recycled = pair_.recycled.get();
-  if (pair_.had_contact) now.contacts = manifold.Get();
-  if (manifold) now.manifold_state = &manifold->m_companionIdA;
-  const VisitingOrder::Visited next = VisitingOrder::OfThisThread().Visit(now, pair_.place);
-  if (next.pair == nullptr) return;
-  PrefetchToWrite(next.pair, sizeof(ConvexConvexAlgorithm));
-  if (next.recycled != nullptr) PrefetchToWrite(next.recycled, sizeof(RecycledContacts));
-  if (next.contacts != nullptr) PrefetchToWrite(next.contacts, MANIFOLD_CACHE_SIZE * sizeof(btManifoldPoint));
-  PrefetchToWrite(next.manifold_state, 1);
-  // Other threads read them, too.
-  for (const void* body : next.bodies) PrefetchToRead(body, sizeof(btCollisionObject));
 }
 
 btScalar ConvexConvexAlgorithm::calculateTimeOfImpact(btCollisionObject* body_0, btCollisionObject* body_1,

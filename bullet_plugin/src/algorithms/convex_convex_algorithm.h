@@ -1,9 +1,8 @@
 // The algorithm object of one pair of convex shapes: Bullet's contract on the outside, the growth distance inside.
 //
-// The contract (read from Bullet 3.24, btConvexConvexAlgorithm and btManifoldResult), besides that of pair_algorithm.h:
-// points leave through addContactPoint(), and those of the pair's own manifold are written as that would leave them
-// (manifold_writer.h); the normal points from B to A, A and B in the order of the call; the depth is the signed
-// distance after margins.
+// The contract (read from Bullet 3.24), besides that of pair_algorithm.h: points leave through addContactPoint(), and
+// those of the pair's own manifold are written as that would leave them (manifold_writer.h); the normal points from B
+// to A, A and B in the order of the call; the depth is the signed distance after margins.
 #pragma once
 
 #include <optional>
@@ -24,11 +23,6 @@ class ConvexConvexAlgorithm final : public PairAlgorithm {
 
   void processCollision(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1,
                         const btDispatcherInfo& info, btManifoldResult* output) override;
-
-  /// Counts a call that a dispatcher has left out, since the pair is still apart (SeparationReport).
-  void CountApart(const btCollisionShape& shape_0, const btCollisionShape& shape_1) {
-    pair_.narrowphase.Count(shape_0, shape_1, kApart);
-  }
 
   /// Finds the contacts with a triangle of a mesh, instead of processCollision(): the mesh chooses among all triangles'
   /// contacts, and writes them.
@@ -52,16 +46,12 @@ class ConvexConvexAlgorithm final : public PairAlgorithm {
   /// The part of the motion from the bodies' transforms to their interpolation transforms that they go before they
   /// touch, or 1: by a sweep of the shapes themselves, never late. Only apps that dispatch continuously call it. As in
   /// Bullet, bodies that both move by less than their CCD motion thresholds are not swept, and the bodies' hit
-  /// fractions are lowered. Children of compounds and meshes return 1: Bullet does not say where they are.
+  /// fractions are lowered. Children of compounds and meshes return 1, since Bullet does not give their places.
   btScalar calculateTimeOfImpact(btCollisionObject* body_0, btCollisionObject* body_1, const btDispatcherInfo& info,
                                  btManifoldResult* output) override;
 
  private:
   PairOutcome RunPipeline(const PairCall& call) override;
-
-  /// Prefetches the algorithm that Bullet will most likely call next, and what that will read. In a world of thousands
-  /// of pairs no cache has it, and to wait for it takes as long as to find that a pair is apart.
-  void PrefetchNext(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1);
 
   PairCache cache_;
 };

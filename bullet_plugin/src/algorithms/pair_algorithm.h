@@ -39,10 +39,10 @@ class PairAlgorithm : public btCollisionAlgorithm {
 
   PairState pair_;
 
-  /// Whether a call like this one, which finds no contacts either, leaves the pair as it is.
+  /// Whether a call like this one, which finds no contacts either, changes nothing, neither in the pair nor outside.
   bool IsUnchangedBy(const PairCall& call) const {
-    return pair_.options().pair_observer == nullptr && !pair_.had_contact && pair_.manifold.IsOwn() &&
-           pair_.manifold.IsEmpty() && CanDoWithoutManifold(call) == !pair_.manifold;
+    return pair_.options().pair_observer == nullptr && !pair_.options().count_pairs && !pair_.had_contact &&
+           pair_.manifold.IsOwn() && pair_.manifold.IsEmpty() && CanDoWithoutManifold(call) == !pair_.manifold;
   }
 
  private:

@@ -15,7 +15,6 @@
 
 #include "algorithms/bullet_check.h"
 #include "algorithms/concurrent_pairs.h"
-#include "algorithms/convex_convex_algorithm.h"
 #include "dgd/assert.h"
 #include "dispatch/separated_pairs.h"
 #include "dispatch/thread_team.h"
@@ -25,7 +24,7 @@ namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 namespace {
 
-/// Place of the pair that the thread is solving, in Bullet's order.
+/// Place of the pair that the thread solves, in Bullet's order.
 thread_local std::size_t current_pair = 0;
 
 const btCollisionObject& ObjectOf(const btBroadphaseProxy& proxy) {
@@ -33,10 +32,10 @@ const btCollisionObject& ObjectOf(const btBroadphaseProxy& proxy) {
 }
 const btCollisionShape& ShapeOf(const btBroadphaseProxy& proxy) { return *ObjectOf(proxy).getCollisionShape(); }
 
-/// A manifold that has been made or given back. Not a member of what it is for: of an exported class's members, clang
-/// exports what the standard library makes.
+/// A manifold that has been made or given back. It is no member of Pairs, since clang exports what the standard library
+/// makes of an exported class's members.
 struct ManifoldChange {
-  std::size_t pair;  // Which did so.
+  std::size_t pair;  // Place of the pair that did so.
   btPersistentManifold* manifold;
   bool is_new;
 };
@@ -65,39 +64,26 @@ class CollisionDispatcher::Pairs {
     if (threads > 1) team_.emplace(threads);
   }
 
-  /// Whether threads are at work.
-  bool AreShared() const { return are_shared_; }
   /// Whether a dispatch is going on.
   bool AreBeingSolved() const { return are_being_solved_; }
 
-  /// @return false if the pairs are few next to those of another cache: what is known of them is of one cache.
+  /// @return false if the pairs are few next to those of another cache: entries belong to one cache.
   bool Solve(btOverlappingPairCache& pair_cache, const btDispatcherInfo& info, btDispatcher* dispatcher);
-  /// Forgets what is known of a cache's pairs, which others solve.
+  /// Invalidates the entries of a cache's pairs, which others solve.
   void Forget(const btOverlappingPairCache& pair_cache) {
     if (&pair_cache == pair_cache_) are_known_ = false;
   }
 
-  // While threads are at work: what the dispatcher's own members of these names do otherwise.
-  btPersistentManifold* GetNewManifold(const btCollisionObject* body_0, const btCollisionObject* body_1);
-  void ReleaseManifold(btPersistentManifold* manifold);
-  void* AllocateCollisionAlgorithm(int size);
-  void FreeCollisionAlgorithm(void* algorithm);
+  /// Locks Bullet's pools and the list of manifolds, while threads are at work; else owns no lock.
+  std::unique_lock<std::mutex> Lock() {
+    return are_shared_ ? std::unique_lock(mutex_) : std::unique_lock<std::mutex>();
+  }
+  // Both need the lock.
+  void NoteNew(btPersistentManifold* manifold);
+  void NoteReleased(btPersistentManifold* manifold) { manifolds_.push_back({current_pair, manifold, false}); }
 
  private:
-  /// Sets a flag as long as this lives.
-  class FlagScope {
-   public:
-    explicit FlagScope(bool& flag) : flag_(flag) { flag_ = true; }
-    ~FlagScope() { flag_ = false; }
-    FlagScope(const FlagScope&) = delete;
-    FlagScope& operator=(const FlagScope&) = delete;
-
-   private:
-    bool& flag_;
-  };
-
   void SolvePair(std::size_t place, const btDispatcherInfo& info);
-  void CountApart(btBroadphasePair& pair);
   void SolveInOrder(const btDispatcherInfo& info);
   void SolveShared(const btDispatcherInfo& info) noexcept;
   void SolveConcurrent(const btDispatcherInfo& info) noexcept;
@@ -112,7 +98,7 @@ class CollisionDispatcher::Pairs {
   bool are_being_solved_ = false;
   std::vector<std::size_t> concurrent_;    // Places of the pairs that are shared.
   std::atomic<std::size_t> next_{0};       // The first of these that no thread has begun with.
-  std::mutex mutex_;                       // For Bullet's pools, the list of manifolds, and the changes.
+  std::mutex mutex_;                       // Guards Bullet's pools, the list of manifolds, and the changes.
   std::vector<ManifoldChange> manifolds_;  // Changes in this step.
   bool are_shared_ = false;                // Written while one thread is at work.
   std::optional<ThreadTeam> team_;         // Destroyed first.
@@ -137,32 +123,32 @@ bool CollisionDispatcher::Pairs::Solve(btOverlappingPairCache& pair_cache, const
   pairs_.clear();
   Collect collect(pairs_);
   pair_cache.processAllOverlappingPairs(&collect, dispatcher, info);
-  are_known_ = true;  // Unless a callback dispatches the same pairs.
-  const FlagScope scope(are_being_solved_);
+  are_known_ = true;  // A callback that dispatches the same pairs resets it.
   separated_.BeginDispatch(pairs_, info.m_timeStep);
+  are_being_solved_ = true;
   if (team_) {
     SolveShared(info);
   } else {
     SolveInOrder(info);
   }
-  separated_.EndDispatch();
+  are_being_solved_ = false;
   return true;
 }
 
 void CollisionDispatcher::Pairs::SolveInOrder(const btDispatcherInfo& info) try {
   for (std::size_t place = 0; place < pairs_.size(); ++place) SolvePair(place, info);
 } catch (...) {
-  are_known_ = false;  // A callback has thrown: the other pairs are as they were.
+  are_known_ = are_being_solved_ = false;  // A callback has thrown: the other pairs are as they were.
   throw;
 }
 
 void CollisionDispatcher::Pairs::SolveShared(const btDispatcherInfo& info) noexcept {
   are_shared_ = true;
   concurrent_.clear();
-  ConcurrentPairs concurrent(dispatcher_.m_doubleDispatchContactPoints);
   for (std::size_t place = 0; place < pairs_.size(); ++place) {
     const btBroadphasePair& pair = *pairs_[place];
-    if (separated_.IsKnown(place) || concurrent.Contain(ShapeOf(*pair.m_pProxy0), ShapeOf(*pair.m_pProxy1))) {
+    if (separated_.IsKnown(place) ||
+        IsConcurrent(dispatcher_.m_doubleDispatchContactPoints, ShapeOf(*pair.m_pProxy0), ShapeOf(*pair.m_pProxy1))) {
       concurrent_.push_back(place);
     } else {
       SolvePair(place, info);
@@ -175,11 +161,8 @@ void CollisionDispatcher::Pairs::SolveShared(const btDispatcherInfo& info) noexc
 }
 
 void CollisionDispatcher::Pairs::SolvePair(std::size_t place, const btDispatcherInfo& info) {
+  if (separated_.IsApart(place)) return;
   btBroadphasePair& pair = *pairs_[place];
-  if (separated_.IsApart(place)) {
-    if (separated_.IsCounted(place)) CountApart(pair);
-    return;
-  }
   SeparationReport report;
   current_pair = place;
   {
@@ -187,13 +170,6 @@ void CollisionDispatcher::Pairs::SolvePair(std::size_t place, const btDispatcher
     dispatcher_.getNearCallback()(pair, dispatcher_, info);
   }
   separated_.Update(place, pair, report);
-}
-
-void CollisionDispatcher::Pairs::CountApart(btBroadphasePair& pair) {
-  const btCollisionObject &body_0 = ObjectOf(*pair.m_pProxy0), &body_1 = ObjectOf(*pair.m_pProxy1);
-  if (!dispatcher_.needsCollision(&body_0, &body_1)) return;
-  static_cast<ConvexConvexAlgorithm*>(pair.m_algorithm)
-      ->CountApart(*body_0.getCollisionShape(), *body_1.getCollisionShape());
 }
 
 void CollisionDispatcher::Pairs::SolveConcurrent(const btDispatcherInfo& info) noexcept {
@@ -220,30 +196,10 @@ void CollisionDispatcher::Pairs::UpdateManifolds() {
   manifolds_.clear();
 }
 
-btPersistentManifold* CollisionDispatcher::Pairs::GetNewManifold(const btCollisionObject* body_0,
-                                                                 const btCollisionObject* body_1) {
-  const std::lock_guard lock(mutex_);
-  btPersistentManifold* manifold = dispatcher_.btCollisionDispatcher::getNewManifold(body_0, body_1);
-  if (manifold == nullptr) return nullptr;
+void CollisionDispatcher::Pairs::NoteNew(btPersistentManifold* manifold) {
   DGD_ASSERT(manifold->m_index1a == dispatcher_.m_manifoldsPtr.size() - 1);
   dispatcher_.m_manifoldsPtr.pop_back();
   manifolds_.push_back({current_pair, manifold, true});
-  return manifold;
-}
-
-void CollisionDispatcher::Pairs::ReleaseManifold(btPersistentManifold* manifold) {
-  const std::lock_guard lock(mutex_);
-  manifolds_.push_back({current_pair, manifold, false});
-}
-
-void* CollisionDispatcher::Pairs::AllocateCollisionAlgorithm(int size) {
-  const std::lock_guard lock(mutex_);
-  return dispatcher_.btCollisionDispatcher::allocateCollisionAlgorithm(size);
-}
-
-void CollisionDispatcher::Pairs::FreeCollisionAlgorithm(void* algorithm) {
-  const std::lock_guard lock(mutex_);
-  dispatcher_.btCollisionDispatcher::freeCollisionAlgorithm(algorithm);
 }
 
 CollisionDispatcher::CollisionDispatcher(btCollisionConfiguration* configuration, const DispatcherOptions& options,
@@ -256,7 +212,7 @@ CollisionDispatcher::CollisionDispatcher(btCollisionConfiguration* configuration
 CollisionDispatcher::~CollisionDispatcher() = default;
 
 bool CollisionDispatcher::IsPlainDispatch(const btDispatcherInfo& info) const {
-  // A callback of a pair that is being solved may dispatch others, of a ghost's say.
+  // A callback of a pair that is being solved may dispatch others, such as a ghost's.
   return pairs_->AreBeingSolved() || getNearCallback() != default_near_callback_ ||
          info.m_dispatchFunc != btDispatcherInfo::DISPATCH_DISCRETE ||
          (info.m_debugDraw != nullptr && info.m_debugDraw->getDebugMode() != btIDebugDraw::DBG_NoDebug) ||
@@ -272,29 +228,26 @@ void CollisionDispatcher::dispatchAllCollisionPairs(btOverlappingPairCache* pair
 
 btPersistentManifold* CollisionDispatcher::getNewManifold(const btCollisionObject* body_0,
                                                           const btCollisionObject* body_1) {
-  return pairs_->AreShared() ? pairs_->GetNewManifold(body_0, body_1)
-                             : btCollisionDispatcher::getNewManifold(body_0, body_1);
+  const auto lock = pairs_->Lock();
+  btPersistentManifold* manifold = btCollisionDispatcher::getNewManifold(body_0, body_1);
+  if (lock && manifold != nullptr) pairs_->NoteNew(manifold);
+  return manifold;
 }
 
 void CollisionDispatcher::releaseManifold(btPersistentManifold* manifold) {
-  if (pairs_->AreShared()) {
-    pairs_->ReleaseManifold(manifold);
-  } else {
-    btCollisionDispatcher::releaseManifold(manifold);
-  }
+  const auto lock = pairs_->Lock();
+  if (lock) return pairs_->NoteReleased(manifold);
+  btCollisionDispatcher::releaseManifold(manifold);
 }
 
 void* CollisionDispatcher::allocateCollisionAlgorithm(int size) {
-  return pairs_->AreShared() ? pairs_->AllocateCollisionAlgorithm(size)
-                             : btCollisionDispatcher::allocateCollisionAlgorithm(size);
+  const auto lock = pairs_->Lock();
+  return btCollisionDispatcher::allocateCollisionAlgorithm(size);
 }
 
 void CollisionDispatcher::freeCollisionAlgorithm(void* algorithm) {
-  if (pairs_->AreShared()) {
-    pairs_->FreeCollisionAlgorithm(algorithm);
-  } else {
-    btCollisionDispatcher::freeCollisionAlgorithm(algorithm);
-  }
+  const auto lock = pairs_->Lock();
+  btCollisionDispatcher::freeCollisionAlgorithm(algorithm);
 }
 
 }  // namespace DGD_BULLET_PRECISION

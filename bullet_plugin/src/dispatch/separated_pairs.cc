@@ -7,6 +7,7 @@
 
 #include "body_velocity.h"
 #include "dgd/assert.h"
+#include "dispatch/content_hash.h"
 #include "pair/pair_state.h"
 #include "pair_motion.h"
 
@@ -47,7 +48,6 @@ btScalar L1Norm(const btVector3& vector) { return btFabs(vector.x()) + btFabs(ve
 
 void SeparatedPairs::BeginDispatch(const std::vector<btBroadphasePair*>& pairs, btScalar time_step) {
   ++dispatch_;
-  shapes_.BeginDispatch();
   time_step_ = btMax(time_step, btScalar(0));
   entries_.resize(pairs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -94,12 +94,13 @@ void SeparatedPairs::Read(const btCollisionObject& object, Body& body) {
     body.path = time_step_ * (rigid->getLinearVelocity() + gain);
     body.turn = time_step_ * L1Norm(rigid->getAngularVelocity()) * btScalar(radius);
   }
-  const ShapeVersion version = shapes_.Find(*object.getCollisionShape());
-  body.core_radius = version.core_radius;
-  body.extent = btScalar(radius) + version.core_radius + L1Norm(body.path) + body.turn;
   // Bullet wakes the neighbours of a kinematic body, and a link moves by its joints.
   const bool is_decided = !object.isKinematicObject() && AsLink(object) == nullptr && IsRotation(body.basis);
-  body.shape = is_decided ? version.number : 0;
+  const btCollisionShape& shape = *object.getCollisionShape();
+  const std::uint64_t hash = is_decided ? ContentHash(shape) : 0;
+  if (hash != body.shape) body.core_radius = hash == 0 ? 0 : CoreRadius(static_cast<const btConvexShape&>(shape));
+  body.shape = hash;
+  body.extent = btScalar(radius) + body.core_radius + L1Norm(body.path) + body.turn;
 }
 
 bool SeparatedPairs::IsApart(std::size_t place) const {
@@ -119,7 +120,7 @@ bool SeparatedPairs::IsApart(std::size_t place) const {
 }
 
 void SeparatedPairs::Update(std::size_t place, const btBroadphasePair& pair, const SeparationReport& report) {
-  if (report.algorithm == nullptr) return;  // Both bodies sleep, or do not collide: the pair is as it was.
+  if (report.algorithm == nullptr) return;  // The bodies sleep, or do not collide: the pair is as it was.
   Entry& entry = entries_[place];
   entry.is_apart = false;
   entry.algorithm = nullptr;
@@ -140,7 +141,6 @@ void SeparatedPairs::Update(std::size_t place, const btBroadphasePair& pair, con
   entry.is_swapped = report.is_swapped;
   entry.is_ordered_by_place = ObjectOf(*pair.m_pProxy0).getCollisionShape()->getShapeType() ==
                               ObjectOf(*pair.m_pProxy1).getCollisionShape()->getShapeType();
-  entry.is_counted = report.is_counted;
   entry.is_apart = true;
 }
 

@@ -13,7 +13,7 @@ ThreadTeam::ThreadTeam(int threads) : start_(threads), end_(threads) {
   try {
     while (helpers_.size() < helpers) helpers_.emplace_back([this] { Help(); });
   } catch (...) {
-    // Those that have been started wait for all.
+    // Helpers that have been started wait for all.
     for (std::size_t missing = helpers - helpers_.size(); missing > 0; --missing) start_.arrive_and_drop();
     start_.arrive_and_wait();
     throw;

@@ -18,7 +18,7 @@
 #include "manifold/finishing.h"
 #include "manifold/friction_anchors.h"
 #include "manifold/mesh_triangle.h"
-#include "shapes/shape_adapter.h"
+#include "shapes/shape_identity.h"
 #include "user_query.h"
 
 namespace dgd_bullet {
@@ -57,7 +57,7 @@ class PointWriter {
     const bool is_anchored = anchors_.CanAnchor(point);
     const btVector3 slip = is_anchored ? anchors_.SlipOf(point) : btVector3(0, 0, 0);
     Fill(contact, on_a_in_body, point);
-    // Only an app's callbacks set these.
+    // An app's callbacks alone set these.
     point.m_contactPointFlags = 0;
     point.m_contactMotion1 = point.m_contactMotion2 = 0;
     point.m_contactCFM = point.m_contactERP = point.m_frictionCFM = 0;
@@ -97,7 +97,7 @@ class PointWriter {
   /// Sets the geometry of a point.
   void Fill(const ManifoldContact& contact, const btVector3& on_a_in_body, btManifoldPoint& point) {
     DGD_ASSERT(std::abs(contact.normal_on_b.length2() - 1) <= btScalar(1e-3));
-    // Mostly, all contacts of a manifold have the same normal.
+    // All contacts of a manifold have the same normal, most often.
     if (!(contact.normal_on_b == normal_)) {
       normal_ = contact.normal_on_b;
       btPlaneSpace1(normal_, lateral_1_, lateral_2_);
@@ -137,31 +137,27 @@ class PointWriter {
   btManifoldResult& output_;
   btPersistentManifold& manifold_;
   const bool is_swapped_;
-  const btTransform &pose_a_,
-      &pose_b_;  // The bodies' poses, in whose frames the points are.
+  const btTransform &pose_a_, &pose_b_;  // Poses of the bodies.
   const FrictionAnchors anchors_;
   const ContactMaterials materials_;
   const bool is_user_callback_;
-  btVector3 normal_{0, 0, 0}, lateral_1_,
-      lateral_2_;  // Directions of the last contact.
+  btVector3 normal_{0, 0, 0}, lateral_1_, lateral_2_;  // Directions of the last contact.
 };
 
 /// Bullet refuses points beyond the breaking threshold: speculative ones need it raised until they have passed.
 class RaisedThreshold {
  public:
-  explicit RaisedThreshold(btPersistentManifold& manifold)
-      : manifold_(manifold), threshold_(manifold.getContactBreakingThreshold()) {}
+  RaisedThreshold(std::span<const ManifoldContact> contacts, btPersistentManifold& manifold)
+      : manifold_(manifold), threshold_(manifold.getContactBreakingThreshold()) {
+    // Roundoff must not put a point beyond its own threshold, nor its distance after a refresh.
+    constexpr btScalar kSlack = btScalar(1.001);
+    btScalar farthest = threshold_;
+    for (const ManifoldContact& contact : contacts) farthest = btMax(kSlack * contact.separation, farthest);
+    manifold.setContactBreakingThreshold(farthest);
+  }
   ~RaisedThreshold() { manifold_.setContactBreakingThreshold(threshold_); }
   RaisedThreshold(const RaisedThreshold&) = delete;
   RaisedThreshold& operator=(const RaisedThreshold&) = delete;
-
-  void Admit(btScalar separation) {
-    // Roundoff must not put the point beyond its own threshold, nor its distance after a refresh.
-    constexpr btScalar kSlack = btScalar(1.001);
-    if (separation * kSlack > manifold_.getContactBreakingThreshold()) {
-      manifold_.setContactBreakingThreshold(separation * kSlack);
-    }
-  }
 
  private:
   btPersistentManifold& manifold_;
@@ -209,8 +205,7 @@ void WriteThroughBullet(std::span<const ManifoldContact> contacts, bool drop_sta
   if (drop_stale && ContinuedContacts(contacts, manifold).DropStale(manifold)) {
     stale = manifold.getContactPoint(0).m_localPointA;
   }
-  RaisedThreshold threshold(manifold);
-  for (const ManifoldContact& contact : contacts) threshold.Admit(contact.separation);
+  const RaisedThreshold threshold(contacts, manifold);
   AddThroughBullet(contacts, output);
   const int last = manifold.getNumContacts() - 1;
   if (stale && last > 0 && manifold.getContactPoint(0).m_localPointA == *stale) {

@@ -1,3 +1,5 @@
+#include "shapes/hull_cache.h"
+
 #include <BulletCollision/CollisionShapes/btConvexShape.h>
 
 #include <algorithm>
@@ -10,7 +12,6 @@
 
 #include "dgd/assert.h"
 #include "prefetch.h"
-#include "shapes/hull_cache.h"
 #include "shapes/shape_points.h"
 
 namespace dgd_bullet {
@@ -67,7 +68,7 @@ void CachedHull::Prefetch() const {
   const dgd::ConvexHull& hull = core_.load(std::memory_order_acquire)->Hull();
   // A query of a large hull reads little of it.
   if (hull.vertices.size() > dgd::kMostScannedVertices) return;
-  const auto prefetch = [](const auto& array) { PrefetchToRead(array.data(), array.size() * sizeof(array[0])); };
+  const auto prefetch = [](const auto& array) { dgd_bullet::Prefetch(array.data(), array.size() * sizeof(array[0])); };
   prefetch(hull.vertex_start);
   prefetch(hull.vertex_facets);
   prefetch(hull.normals);

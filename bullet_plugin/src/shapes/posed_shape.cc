@@ -30,7 +30,7 @@ Vector3 SupportPoint(const PosedShape& shape, const Vector3& direction) {
 void MoveCentersTogether(PosedShape& shape_a, PosedShape& shape_b) {
   const bool moves_a = shape_a.set.MovesCenter(), moves_b = shape_b.set.MovesCenter();
   if (!moves_a && !moves_b) return;
-  // Both from where they were, so that the order of the two does not matter.
+  // Both move from where they were, so that the order of the two does not matter.
   const Vector3 center_a = CenterOf(shape_a), center_b = CenterOf(shape_b);
   if (moves_a) MoveCenterNear(center_b, shape_a);
   if (moves_b) MoveCenterNear(center_a, shape_b);

@@ -10,7 +10,7 @@ namespace dgd_bullet {
 /// A shape in a pose, for one query.
 struct PosedShape {
   dgd::AnySet set;
-  Pose pose;  ///< Of the set's own frame (z is the axis of round shapes) in the world.
+  Pose pose;  ///< Pose of the set's own frame (z is the axis of round shapes) in the world.
 };
 
 /// A point inside of the shape, or on it if it has no inside; world.

@@ -104,19 +104,5 @@ PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, 
   return {dgd::RoundedSet{HullOf(shape, cache, hull, use), radius}, FromBullet(transform)};
 }
 
-bool ShowsFaces(const btCollisionShape& shape) {
-  switch (shape.getShapeType()) {
-    case SPHERE_SHAPE_PROXYTYPE:
-    case CAPSULE_SHAPE_PROXYTYPE:
-    case TRIANGLE_SHAPE_PROXYTYPE:
-    case BOX_SHAPE_PROXYTYPE:
-    case CYLINDER_SHAPE_PROXYTYPE:
-    case CONE_SHAPE_PROXYTYPE:
-      return true;
-    default:
-      return !shape.isConvex() || IsHullOfPoints(static_cast<const btConvexShape&>(shape));
-  }
-}
-
 }  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

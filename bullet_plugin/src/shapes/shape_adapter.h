@@ -1,4 +1,4 @@
-// From a Bullet convex shape to the solver's set.
+// The solver's sets of Bullet's convex shapes.
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
@@ -37,10 +37,6 @@ int UpAxis(const btConvexShape& shape);
 /// Throws std::invalid_argument if a size or a point is not finite or the shape has no points.
 PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, GeometryMode geometry, HullCache& cache,
                       std::shared_ptr<const CachedHull>& hull, HullUse use);
-
-/// Whether the set that AdaptShape() makes of a shape shows its faces. What only Bullet can evaluate does not: unequal
-/// spheres, scaled shapes, an app's own. Planes and meshes have faces, too.
-bool ShowsFaces(const btCollisionShape& shape);
 
 }  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

@@ -13,39 +13,34 @@ namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 namespace {
 
-/// The numbers that make a shape what it is, besides its margin; none of a hull of points, whose hull is compared.
-btVector3 SizeOf(const btCollisionShape& shape, int type) {
+ShapeIdentity::Numbers NumbersOf(const btCollisionShape& shape) {
+  const int type = shape.getShapeType();
+  const int axis = type == STATIC_PLANE_PROXYTYPE ? kZAxis : UpAxis(static_cast<const btConvexShape&>(shape));
+  btVector3 size(0, 0, 0);
+  btScalar offset = shape.getMargin();
   switch (type) {
-    case STATIC_PLANE_PROXYTYPE:
-      return static_cast<const btStaticPlaneShape&>(shape).getPlaneNormal();
+    case STATIC_PLANE_PROXYTYPE:  // A plane's margin has no effect.
+      size = static_cast<const btStaticPlaneShape&>(shape).getPlaneNormal();
+      offset = static_cast<const btStaticPlaneShape&>(shape).getPlaneConstant();
+      break;
     case CONE_SHAPE_PROXYTYPE: {
       const auto& cone = static_cast<const btConeShape&>(shape);
-      return {cone.getRadius(), cone.getHeight(), 0};
+      size = {cone.getRadius(), cone.getHeight(), 0};
+      break;
     }
     case SPHERE_SHAPE_PROXYTYPE:
     case BOX_SHAPE_PROXYTYPE:
     case CAPSULE_SHAPE_PROXYTYPE:
     case CYLINDER_SHAPE_PROXYTYPE:
-      return static_cast<const btConvexInternalShape&>(shape).getImplicitShapeDimensions();
-    default:
-      return {0, 0, 0};
-  }
-}
-
-/// How far the surface is outside of what SizeOf() describes.
-btScalar OffsetOf(const btCollisionShape& shape, int type) {
-  switch (type) {
-    case STATIC_PLANE_PROXYTYPE:  // A plane's margin has no effect.
-      return static_cast<const btStaticPlaneShape&>(shape).getPlaneConstant();
+      size = static_cast<const btConvexInternalShape&>(shape).getImplicitShapeDimensions();
+      break;
     case MULTI_SPHERE_SHAPE_PROXYTYPE:
-      return btScalar(SmallestRadius(static_cast<const btMultiSphereShape&>(shape)));
+      offset = btScalar(SmallestRadius(static_cast<const btMultiSphereShape&>(shape)));
+      break;
     default:
-      return shape.getMargin();
+      break;
   }
-}
-
-int AxisOf(const btCollisionShape& shape, int type) {
-  return type == STATIC_PLANE_PROXYTYPE ? kZAxis : UpAxis(static_cast<const btConvexShape&>(shape));
+  return {btScalar(type), btScalar(axis), size.x(), size.y(), size.z(), offset};
 }
 
 }  // namespace
@@ -57,26 +52,20 @@ bool ShapeIdentity::IsComparable(const btCollisionShape& shape) {
          IsHullOfPoints(static_cast<const btConvexShape&>(shape));
 }
 
-ShapeIdentity::ShapeIdentity(const btCollisionShape& shape)
-    : shape_(&shape),
-      type_(shape.getShapeType()),
-      axis_(AxisOf(shape, type_)),
-      size_(SizeOf(shape, type_)),
-      offset_(OffsetOf(shape, type_)) {
+ShapeIdentity::ShapeIdentity(const btCollisionShape& shape) : shape_(&shape), numbers_(NumbersOf(shape)) {
   DGD_ASSERT(IsComparable(shape));
 }
 
-bool ShapeIdentity::HasMarginOf(const btCollisionShape& shape) const {
-  return &shape == shape_ && shape.getShapeType() == type_ && OffsetOf(shape, type_) == offset_;
+bool ShapeIdentity::Matches(const btCollisionShape& shape, const std::shared_ptr<const CachedHull>& hull) const {
+  // Another shape of another type may have taken the address, for which NumbersOf() has no numbers.
+  if (&shape != shape_ || !IsComparable(shape) || NumbersOf(shape) != numbers_) return false;
+  if (!shape.isConvex()) return true;
+  const auto& convex = static_cast<const btConvexShape&>(shape);
+  return !IsHullOfPoints(convex) || (hull != nullptr && hull->Matches(convex));
 }
 
-bool ShapeIdentity::Matches(const btCollisionShape& shape, const std::shared_ptr<const CachedHull>& hull) const {
-  if (!HasMarginOf(shape)) return false;
-  if (type_ != STATIC_PLANE_PROXYTYPE) {
-    const auto& convex = static_cast<const btConvexShape&>(shape);
-    if (IsHullOfPoints(convex)) return hull != nullptr && hull->Matches(convex);
-  }
-  return AxisOf(shape, type_) == axis_ && SizeOf(shape, type_) == size_;
+bool ShowsFaces(const btCollisionShape& shape) {
+  return !shape.isConvex() || shape.getShapeType() == TRIANGLE_SHAPE_PROXYTYPE || ShapeIdentity::IsComparable(shape);
 }
 
 bool IsPolytope(const btCollisionShape& shape) {
