@@ -21,7 +21,7 @@
 # DgdBullet3_<precision>_FOUND, _PREFIX and _SUFFIX, the last one that of its libraries' names.
 include(FindPackageHandleStandardArgs)
 
-# The version of the headers in a folder: 3.24, say.
+# The version of the headers in a folder, such as 3.24.
 function(_dgd_bullet3_read_version include_dir result)
   set(version "")
   if(EXISTS "${include_dir}/LinearMath/btScalar.h")

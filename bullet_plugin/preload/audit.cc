@@ -23,7 +23,7 @@ class WatchedResult : public btManifoldResult {
   }
 
   void addContactPoint(const btVector3& /*normal_on_b*/, const btVector3& /*point*/, btScalar separation) override {
-    if (!(separation <= BreakingDistance())) return;  // As Bullet drops it; true for NaN.
+    if (!(separation <= BreakingDistance())) return;  // Bullet drops it as well. NaN stays.
     deepest_ = {true, deepest_.is_contact ? std::min(deepest_.separation, double(separation)) : double(separation)};
   }
 
@@ -117,7 +117,7 @@ class AuditAlgorithm final : public btCollisionAlgorithm {
   btCollisionAlgorithmCreateFunc& create_ours_;
   AuditReport& report_;
   btCollisionAlgorithm* ours_ = nullptr;            ///< Made by the first call.
-  std::unique_ptr<btPersistentManifold> manifold_;  ///< Without points, always.
+  std::unique_ptr<btPersistentManifold> manifold_;  ///< Never has points.
 };
 
 static_assert(sizeof(AuditAlgorithm) <= 184 && alignof(AuditAlgorithm) <= 8, "must fit Bullet's smallest pool element");

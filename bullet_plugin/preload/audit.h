@@ -1,5 +1,5 @@
-// Both narrowphases side by side: an app's contacts stay the built-in's to the last bit, and ours are compared with
-// them.
+// The audit runs both narrowphases side by side: an app's contacts stay the built-in's to the last bit, and ours are
+// compared with them.
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btCollisionCreateFunc.h>
@@ -32,7 +32,7 @@ class AuditCreateFunc final : public btCollisionAlgorithmCreateFunc {
   AuditReport& report_;
 };
 
-/// Of a process.
+/// The audit of a process.
 class Audit {
  public:
   /// One for each two functions, which lives as long as this.

@@ -53,7 +53,7 @@ class Narrowphases {
   std::unordered_map<const void*, std::shared_ptr<dgd_bullet::Narrowphase>> of_configuration_;
 };
 
-/// Never destroyed: worlds with static storage may outlive any object of ours.
+/// These are never destroyed: worlds with static storage may outlive any object of ours.
 Narrowphases* g_narrowphases = nullptr;
 Audit* g_audit = nullptr;  ///< Null unless both narrowphases are used.
 

@@ -32,7 +32,7 @@ constexpr const char* kGetterNames[kTables] = {
     "_ZN31btDefaultCollisionConfiguration31getCollisionAlgorithmCreateFuncEii",
     "_ZN31btDefaultCollisionConfiguration35getClosestPointsAlgorithmCreateFuncEii"};
 
-/// Of Bullet's functions, one that takes its numbers by pointer, and so is named by their precision.
+/// A function of Bullet's that takes its numbers by pointer, and so is named by their precision.
 constexpr const char kFloatHull[] = "_ZN17btConvexHullShapeC1EPKfii";
 constexpr const char kDoubleHull[] = "_ZN17btConvexHullShapeC1EPKdii";
 

@@ -29,7 +29,7 @@ inline constexpr std::size_t kHeaderSize =
 inline constexpr std::size_t kBlockHeadSize = 2 * sizeof(std::uint32_t);
 inline constexpr std::size_t kNumbersOfPose = 12;
 
-/// Bytes of one pair in a step's block.
+/// Size of one pair in a step's block, in bytes.
 constexpr std::size_t PairSize(std::size_t real_bytes) {
   return 3 * sizeof(std::uint32_t) + 2 * kNumbersOfPose * real_bytes;
 }

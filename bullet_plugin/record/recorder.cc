@@ -202,9 +202,9 @@ class Recorder::Writer {
   std::ofstream file_;
   record::Counts counts_{0, 0, 0, 0};
   std::uint64_t step_ = 0;
-  std::string pairs_;  // Of this step, since the last block.
+  std::string pairs_;  // Pairs of this step since the last block.
   HullCache hulls_;
-  std::unordered_map<std::string, std::uint32_t> shapes_;  // By content: children and triangles come and go.
+  std::unordered_map<std::string, std::uint32_t> shapes_;  // Numbers by content: children and triangles come and go.
   std::map<std::pair<Member, Member>, std::uint32_t> body_pairs_;
 };
 

@@ -8,7 +8,7 @@ namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 namespace {
 
-// Only what Bullet's headers define is called, so that apps without multibodies need not link their code.
+// Functions that Bullet's headers do not define are not called, so that apps without multibodies need not link them.
 constexpr int kBase = -1;         // Bullet's index of the base.
 constexpr int kBaseVelocity = 6;  // Numbers ahead of the joints' in Bullet's vector of velocities.
 
@@ -46,7 +46,7 @@ BodyVelocity VelocityOf(const btMultiBodyLinkCollider& link) {
 
 btVector3 AccelerationOf(const btMultiBodyLinkCollider& link) {
   const btMultiBody& body = *link.m_multiBody;
-  // The joints carry what is fixed. Bullet's headers do not say whether a base is fixed: it has no velocity then.
+  // The joints carry what is fixed. Whether a base is fixed is not in Bullet's headers: it has no velocity then.
   if (body.getBaseVel().isZero() && body.getBaseOmega().isZero()) return {0, 0, 0};
   btVector3 force = body.getBaseForce();
   btScalar mass = body.getBaseMass();

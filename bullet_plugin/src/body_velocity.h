@@ -1,4 +1,4 @@
-// What moves a collision object: the velocity of a rigid body, or of a multibody's link.
+// The velocity of a collision object: of a rigid body, or of a multibody's link.
 #pragma once
 
 #include <BulletDynamics/Dynamics/btRigidBody.h>
@@ -11,13 +11,13 @@ class btMultiBodyLinkCollider;
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
-/// World frame, metres and radians per second.
+/// Velocities in the world frame, metres and radians per second.
 struct BodyVelocity {
   btVector3 linear{0, 0, 0};  ///< Velocity of the pose's origin, which is the centre of mass.
   btVector3 angular{0, 0, 0};
 };
 
-/// By the link's joints and those before it, and the base's velocity; the frames from one to the next are those that
+/// The velocity of a link by its joints, those before it and the base; the frames from one to the next are those that
 /// the last step has left. The link's collider must be where the multibody has it.
 BodyVelocity VelocityOf(const btMultiBodyLinkCollider& link);
 
@@ -28,7 +28,7 @@ btVector3 AccelerationOf(const btMultiBodyLinkCollider& link);
 /// The object as a multibody's link, or null.
 const btMultiBodyLinkCollider* AsLink(const btCollisionObject& object);
 
-/// At rest if the object is neither a rigid body nor a link.
+/// The velocity of an object; at rest if it is neither a rigid body nor a link.
 inline BodyVelocity VelocityOf(const btCollisionObject& object) {
   if (const btRigidBody* rigid = btRigidBody::upcast(&object)) {
     return {rigid->getLinearVelocity(), rigid->getAngularVelocity()};

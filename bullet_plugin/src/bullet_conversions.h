@@ -1,4 +1,4 @@
-// Between Bullet's vectors and poses, of either precision, and the solver's.
+// Conversions between Bullet's vectors and poses, of either precision, and the solver's.
 #pragma once
 
 #include <LinearMath/btTransform.h>
@@ -14,8 +14,8 @@
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
-/// Stored as Eigen will load it: a pair of numbers and one. A pair that is loaded from two single stores, as Eigen's
-/// own constructor makes them, waits for both to reach the cache, some 12 cycles; most queries take few hundred.
+/// Stores the vector as Eigen will load it, a pair of numbers and one: a pair that is loaded from two single stores, as
+/// Eigen's own constructor makes them, waits some 12 cycles for both to reach the cache.
 inline Vector3 FromBullet(const btVector3& v) {
   using Pair [[gnu::vector_size(16), gnu::aligned(8), gnu::may_alias]] = double;
   Vector3 vector;
@@ -38,8 +38,7 @@ struct AcrossAxes {
   int x, y;
 };
 
-/// A direction of the frame that FromBullet() gives a pose with this up axis, in Bullet's own. By value: coordinates
-/// stored one by one at AcrossAxes would be waited for, as above.
+/// A direction of the frame that FromBullet() gives a pose with this up axis, in Bullet's own.
 inline btVector3 InBulletAxes(const Vector3& v, int up_axis) {
   switch (up_axis) {
     case 0:

@@ -1,4 +1,4 @@
-// Up to which distance bodies have contacts.
+// The distance up to which bodies have contacts.
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
@@ -31,9 +31,9 @@ inline double ContactDistance(const Options& options, double breaking_threshold,
 /// really meet, since a contact would act on bodies that pass each other; and bodies that rebound only where they touch
 /// or will within the step, since a gap over the time step would be taken from the speed at which they part.
 struct ContactRange {
-  /// Up to this separation bodies are in contact however they move; metres, negative for an overlap.
+  /// Separation up to which bodies are in contact however they move; metres, negative for an overlap.
   double touching = 0;
-  /// Beyond this separation they are not, even if they will be by the end of the step; metres.
+  /// Separation beyond which they are not, even if they will be by the end of the step; metres.
   double limit = 0;
   /// Whether the bodies rebound.
   bool is_rebound = false;
@@ -49,12 +49,12 @@ PairMotion MotionOfStep(const PairManifold& manifold, const BoundedBody& body_a,
 ContactRange RangeOfContacts(const Options& options, const PairManifold& manifold, const PairMotion& motion,
                              const btManifoldResult& output);
 
-/// Bodies that are farther apart have no contacts in this step, so that no query needs to go on; metres.
+/// Distance beyond which bodies have no contacts in this step, so that no query needs to go on; metres.
 inline double SeparationLimit(const ContactRange& range, const PairMotion& motion) {
   return std::max(range.touching, std::min(motion.MaxApproach(), range.limit));
 }
 
-/// What belongs to a patch.
+/// The settings of a patch.
 /// @param is_user_query  Whether a user queries the contacts themselves.
 dgd::PatchSettings<double> PatchSettingsOf(const Options& options, const PairManifold& manifold,
                                            const ContactRange& range, bool is_user_query);

@@ -43,7 +43,7 @@ class PairManifold {
 
   /// Whether there has never been one.
   bool IsNew() const { return manifold_ == nullptr && breaking_threshold_ < 0; }
-  /// Whether there are no contacts, be it for want of a manifold.
+  /// Whether there are no contacts, with a manifold or without.
   bool IsEmpty() const { return manifold_ == nullptr || manifold_->getNumContacts() == 0; }
   /// Breaking threshold of the manifold, now or when it was released; metres.
   double BreakingThreshold() const {

@@ -1,11 +1,8 @@
 // The one line that changes in a Bullet app:
 //
-//     btDefaultCollisionConfiguration   configuration;   // before
-//     dgd_bullet::CollisionConfiguration configuration;  // after
-//     btCollisionDispatcher dispatcher(&configuration);
+//     dgd_bullet::CollisionConfiguration configuration;  // was: btDefaultCollisionConfiguration
 //
-// Link dgd::bullet with Debian's `bullet` (float), or dgd::bullet_float64 with `bullet-float64`; the header is the
-// same.
+// Link dgd::bullet with Debian's `bullet` (float), or dgd::bullet_float64 with `bullet-float64`.
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
@@ -23,7 +20,7 @@ inline namespace DGD_BULLET_PRECISION {
 
 namespace configuration_internal {
 
-/// A base of its own, to be made before Bullet's: a Bullet that does not match is then found before it is used.
+/// A base that is made before Bullet's, so that a Bullet that does not match is found before it is used.
 struct NarrowphaseOwner {
   std::shared_ptr<Narrowphase> narrowphase_;
 };
@@ -34,8 +31,8 @@ struct NarrowphaseOwner {
 /// types on static planes, in the contact table and in the closest-points table; and in the contact table, for convex
 /// types on triangle meshes and heightfields, one that gathers the contacts of all triangles. Everything else
 /// (compounds, soft bodies, the two-dimensional types) is left to the base, and its setting for contacts on planes
-/// (setPlaneConvexMultipointIterations()) has no effect. The dispatcher copies the tables
-/// when it is made. As with any Bullet configuration, this object must outlive the dispatcher and all its pairs.
+/// (setPlaneConvexMultipointIterations()) has no effect. As with any Bullet configuration, this object must outlive the
+/// dispatcher, which copies the tables when it is made, and all its pairs.
 ///
 ///     dgd_bullet::CollisionConfigurationOf<btSoftBodyRigidBodyCollisionConfiguration> configuration;
 template <class Base>
@@ -59,7 +56,7 @@ class CollisionConfigurationOf : private configuration_internal::NarrowphaseOwne
   Statistics statistics() const { return StatisticsOf(*narrowphase_); }
 };
 
-/// In the place of Bullet's default.
+/// Takes the place of btDefaultCollisionConfiguration.
 using CollisionConfiguration = CollisionConfigurationOf<btDefaultCollisionConfiguration>;
 
 }  // namespace DGD_BULLET_PRECISION

@@ -3,7 +3,7 @@
 #pragma once
 
 /// Bullet's types have the same names in float and in double; ours have not, so that what was compiled for one
-/// precision does not link with the library of the other: the undefined symbol is dgd_bullet::float64::Register, say.
+/// precision does not link with the library of the other: the undefined symbol is dgd_bullet::float64::Register.
 /// The namespace is inline, and an app never writes it. Only what does not depend on Bullet (the record file) is
 /// outside of it.
 #ifdef BT_USE_DOUBLE_PRECISION

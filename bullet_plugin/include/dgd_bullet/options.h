@@ -50,30 +50,27 @@ struct Options {
   /// tilted face that matter are found by their distance, so there is little reason to lower it.
   double angular_tolerance = 1.47;
 
-  /// Bodies not farther apart than this get contacts; metres, >= 0. 0 stands for each manifold's breaking threshold,
-  /// which is Bullet's own measure (2 cm for large bodies). Larger values hand over contacts earlier, which Bullet's
-  /// solver keeps open until they close; points in manifolds that are not the pair's own never exceed its threshold.
+  /// Distance up to which bodies get contacts; metres, >= 0. 0 stands for each manifold's breaking threshold, which is
+  /// Bullet's own measure (2 cm for large bodies); points in manifolds that are not the pair's own never exceed that.
   /// In a dynamics world, bodies that approach each other get contacts only if they meet within the time step, and
   /// those that rebound (combined restitution above 0) only where they touch or will within it.
   double contact_distance = 0;
 
-  /// Bounding boxes stay Bullet's, margins included, in either mode.
+  /// What the bodies' surfaces are. Bounding boxes stay Bullet's, margins included, in either mode.
   GeometryMode geometry_mode = GeometryMode::kBullet;
 
-  /// In a dynamics world, also hand over points that are still farther apart than the contact distance if the bodies'
-  /// motion makes them touch within the time step: fast impacts are then met, not found when the bodies already
-  /// overlap. Needs contact_patch. contactTest() and its like never see such points.
+  /// Points that are still farther apart than the contact distance are handed over, in a dynamics world, if the bodies'
+  /// motion makes them touch within the time step: fast impacts are met before the bodies overlap. Needs contact_patch.
+  /// contactTest() and its like never get such points. Off: fast bodies overlap first, or tunnel.
   /// Physics: a sweep proves whether bodies meet, so that those that pass by are not touched; restitution is that of
-  /// the moment of touching (tests/physics: restitution, near misses). Off: fast bodies overlap first, or tunnel.
+  /// the moment of touching (tests/physics: restitution, near misses).
   bool speculative_contacts = true;
 
   /// Contacts of faces that stick are anchored where they stuck: Bullet's solver corrects what they have slipped by
   /// since, within the friction cone, and piles do not creep: the blocks of scenes/pyramid_28.json move by 37 mm in a
   /// minute without, 1.3 mm with it (float, without keep_resting_contacts). Off: friction opposes speed only, as with
   /// Bullet. Needs contact_patch.
-  /// Physics: the correction is only the slip that the solver left of contacts that have stuck for two steps, up to a
-  /// hundredth of the breaking threshold; not what rolls or slides, nor what a surface's own velocity, a callback or an
-  /// app moves (tests/physics: slide, swing_force, taps, belt, platform, feeder, teleport).
+  /// Physics: see src/manifold/friction_anchors.h.
   bool friction_anchors = true;
 
   /// The contact point that carried most in the last step comes first in its manifold, the others around the patch, as
@@ -83,10 +80,9 @@ struct Options {
   bool order_points_by_impulse = true;
 
   /// Bodies that have not moved by more than a thousandth of the breaking threshold (20 micrometres for large ones)
-  /// since their contacts were found recycle them, at a fifth of the cost; only the distances are updated. So do bodies
-  /// on each other's faces that have moved together: by no more than a twelfth of the threshold against each other, nor
-  /// by more than leaves each distance within a two-thousandth of it. Their normal turns with the face. In manifolds of
-  /// the pair's own only, and needs contact_patch and warm_start.
+  /// since their contacts were found recycle them, at a fifth of the cost: only distances are updated. So do bodies on
+  /// each other's faces that have moved together, by no more than a twelfth of the threshold against each other; their
+  /// normal turns with the face. In manifolds of the pair's own only; needs contact_patch and warm_start.
   /// Physics: no distance is off by more than 10 micrometres for large bodies, no place by more than 1.6 mm, along the
   /// face.
   bool keep_resting_contacts = true;
@@ -98,10 +94,9 @@ struct Options {
 
   /// A pair whose bounding boxes overlap has a manifold from its first step to its last, with or without contacts, as
   /// with Bullet. Off: from its second step on it has one only while it touches and for a step after, or next to a
-  /// kinematic body, by which Bullet wakes the other. In heaps most pairs do not touch, and Bullet looks at each one's
-  /// manifold three times a step all the same: without them a step of 500 falling polytopes takes 0.8 of the time. An
-  /// app that lists manifolds then sees fewer, in another order, and pairs go to the dispatcher for one in later steps
-  /// too: with several threads, only where Bullet is built with BT_THREADSAFE. Needs warm_start.
+  /// kinematic body, by which Bullet wakes the other. Bullet looks at each pair's manifold three times a step: without
+  /// empty ones a step of 500 falling polytopes takes 0.8 of the time. An app that lists manifolds then sees fewer, in
+  /// another order. With Bullet's own threads, only where that is built with BT_THREADSAFE. Needs warm_start.
   bool keep_empty_manifolds = true;
 
   /// Fill Statistics::pairs. Threads then share counters; without it, none are touched.

@@ -21,7 +21,7 @@ class Narrowphase;
 /// Registers the growth distance for every pair of convex types, both orders, in the contact table and in the
 /// closest-points table of `dispatcher`, and for convex types on planes and meshes as CollisionConfigurationOf does.
 /// Pairs that already have an algorithm keep it until their bounding boxes part.
-/// @param bullet_version  Of the headers that the app is compiled with: leave it out.
+/// @param bullet_version  Bullet's version in the headers that the app is compiled with: leave it out.
 /// @return the narrowphase now in use. It lives until the process ends, as Bullet demands of what it does not own.
 /// Throws as MakeNarrowphase().
 DGD_BULLET_EXPORT const Narrowphase& Register(btCollisionDispatcher* dispatcher, const Options& options = {},
@@ -33,11 +33,11 @@ inline const Narrowphase& Register(btCollisionDispatcher& dispatcher, const Opti
 /// Counters of a narrowphase.
 DGD_BULLET_EXPORT Statistics StatisticsOf(const Narrowphase& narrowphase);
 
-/// For configurations and dispatchers that CollisionConfigurationOf and Register() do not fit: a narrowphase, which
-/// must outlive the dispatcher and all its pairs, and what makes the algorithms of a pair of shape types in the two
-/// tables, null where the types are left to Bullet. Throws std::invalid_argument naming an option that is out of range;
-/// and std::runtime_error, in one sentence, if the app's version of Bullet, or the precision of the Bullet library in
-/// this process, is not what this library is compiled for.
+/// These serve configurations and dispatchers that CollisionConfigurationOf and Register() do not fit: a narrowphase,
+/// which must outlive the dispatcher and all its pairs, and what makes the algorithms of a pair of shape types in the
+/// two tables, null where the types are left to Bullet. Throws std::invalid_argument naming an option that is out of
+/// range; and std::runtime_error, in one sentence, if the app's version of Bullet, or the precision of the Bullet
+/// library in this process, is not what this library is compiled for.
 DGD_BULLET_EXPORT std::shared_ptr<Narrowphase> MakeNarrowphase(const Options& options,
                                                                int bullet_version = BT_BULLET_VERSION);
 DGD_BULLET_EXPORT btCollisionAlgorithmCreateFunc* ContactCreateFunc(Narrowphase& narrowphase, int type_0, int type_1);

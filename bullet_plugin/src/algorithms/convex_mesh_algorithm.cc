@@ -32,7 +32,7 @@
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
-/// What a pair has from step to step: algorithms, and memory.
+/// The state of a pair from step to step: algorithms, and memory.
 struct MeshStep {
   explicit MeshStep(btDispatcher& dispatcher) : pairs(dispatcher) {}
 
@@ -43,7 +43,7 @@ struct MeshStep {
 
   TrianglePairs pairs;
   MeshContacts contacts;
-  /// What a triangle's face contacts are found by.
+  /// A triangle's part in finding its face contacts.
   struct Solved {
     ConvexConvexAlgorithm* algorithm = nullptr;  // Null where an app's own algorithm has solved it.
     Moment moment;                               // PairContacts::moment.
@@ -138,7 +138,7 @@ class TriangleVisit final : public btTriangleCallback {
       return AddContacts(*cached, triangle.wrapper(), i);
     }
     if (IsOutOfPlane(triangle)) return;
-    // By the dispatcher's table: an app may have an algorithm of its own for triangles.
+    // The dispatcher's table decides: an app may have an algorithm of its own for triangles.
     btCollisionAlgorithm* algorithm = dispatcher_.findAlgorithm(
         &convex_, &triangle.wrapper(), output_.getPersistentManifold(), BT_CONTACT_POINT_ALGORITHMS);
     if (algorithm == nullptr) return;
@@ -253,7 +253,7 @@ void ConvexMeshAlgorithm::processCollision(const btCollisionObjectWrapper* body_
   // A body's shape may have been exchanged for one of another type.
   const bool are_ours =
       Narrowphase::HandlesMesh(convex.getCollisionShape()->getShapeType(), mesh.getCollisionShape()->getShapeType());
-  // In a query of how far apart bodies are, the triangles have manifolds of their own.
+  // Triangles have manifolds of their own in a query of how far apart bodies are.
   const bool can_gather =
       are_ours && step_ != nullptr && manifold_ != nullptr && !(output->m_closestPointDistanceThreshold > 0);
   if (can_gather && FindContacts(convex, mesh, info, *output)) return;

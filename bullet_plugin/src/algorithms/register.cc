@@ -26,7 +26,7 @@ btCollisionAlgorithmCreateFunc* ClosestPointsCreateFunc(Narrowphase& narrowphase
 }
 
 const Narrowphase& Register(btCollisionDispatcher* dispatcher, const Options& options, int bullet_version) {
-  // Never destroyed: a dispatcher with static storage may outlive any object of ours.
+  // The list is never destroyed: a dispatcher with static storage may outlive any object of ours.
   static std::mutex mutex;
   static auto& registered = *new std::vector<std::shared_ptr<Narrowphase>>();
 

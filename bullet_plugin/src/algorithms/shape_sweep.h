@@ -1,4 +1,4 @@
-// When two of Bullet's convex shapes that move from one pose to another first touch.
+// The time of impact of two of Bullet's convex shapes that move from one pose to another.
 #pragma once
 
 #include <memory>
@@ -19,7 +19,7 @@ struct MovingShape {
   const btConvexShape& shape;
   const btTransform& from;
   const btTransform& to;
-  std::shared_ptr<const CachedHull>& hull;  ///< As AdaptShape() has it.
+  std::shared_ptr<const CachedHull>& hull;  ///< See AdaptShape().
 };
 
 /// kInvalidInput if a shape is none. Does not throw.

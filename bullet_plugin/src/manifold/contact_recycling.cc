@@ -53,7 +53,7 @@ btScalar MaxDisplacement(const btTransform& from, const btTransform& to, btScala
   return (to.getOrigin() - from.getOrigin()).length() + radius * Turn(from.getBasis(), to.getBasis());
 }
 
-/// Where a contact is on a body, in the frame of its shape, which may be a compound's child.
+/// The place of a contact on a body, in the frame of its shape, which may be a compound's child.
 btVector3 PointOn(const btCollisionObjectWrapper& body, const btManifoldPoint& contact,
                   const btPersistentManifold& manifold) {
   const btCollisionObject* object = body.getCollisionObject();
@@ -62,7 +62,7 @@ btVector3 PointOn(const btCollisionObjectWrapper& body, const btManifoldPoint& c
   return &pose == &object_pose ? in_object : pose.invXform(object_pose * in_object);
 }
 
-/// By how much two surfaces part along them: `rise` on a length of `run`, in the direction where they part most.
+/// How two surfaces part along them: by `rise` on a length of `run`, in the direction where they part most.
 struct Slope {
   double rise = 0, run = 0;
 };
@@ -108,7 +108,7 @@ double StillDistance(const btPersistentManifold& manifold) {
 }
 
 /// Whether a change of the pair can be recognised: the shapes have numbers that can be compared, the poses are exact
-/// enough for the distance, and no app colours the contacts, which then has to see them in each step.
+/// enough for the distance, and no app colours the contacts in each step.
 bool IsCacheable(const btCollisionObjectWrapper& body, double distance) {
   return IsFarAboveRoundoff(distance, body) && ShapeIdentity::IsComparable(*body.getCollisionShape()) &&
          HasPlainMaterial(*body.getCollisionObject());
@@ -199,8 +199,7 @@ RecycledContacts::PoseChange RecycledContacts::ComparePoses(const btCollisionObj
   btScalar drift_sq = btScalar(kTiltWeight * kTiltWeight) * radius * radius * (turn * normal_on_b).length2();
   for (int i = 0; i < contacts_; ++i) {
     const btVector3 contact = PointOn(body_b, manifold.getContactPoint(i), manifold);
-    drift_sq = std::max((turn * contact + shift).length2(),
-                        drift_sq);  // In this order no NaN is lost.
+    drift_sq = std::max((turn * contact + shift).length2(), drift_sq);  // NaN is kept by this order.
   }
   const auto max_drift = btScalar(face_.max_drift);
   return drift_sq <= max_drift * max_drift ? PoseChange::kMovedTogether : PoseChange::kChanged;

@@ -1,17 +1,14 @@
 // Contact recycling: bodies that lie still on each other keep their contacts (Options::keep_resting_contacts).
 //
 // A pile at rest is most of what most worlds query, and its contacts change by less than the solver's own tolerance.
-// While neither body has moved by more than a small part of the manifold's breaking threshold since the contacts were
-// found, they are recycled: Bullet's refresh makes their distances exact along their normals, as it does for all
-// contacts between two steps, and a normal is off by no more than the part of the threshold over the body's size.
+// While neither body has moved by more than a small part of the breaking threshold since the contacts were found,
+// Bullet's refresh makes their distances exact along their normals, as it does between any two steps.
 //
-// Bodies that sink, sway or are carried along together keep theirs as well, where a face of one is the contacts'
-// reference face or two faces meet: the normal turns with the face, and along that the refresh is exact for the very
-// points. What the bodies have moved by against each other may then be more, for it only leaves the points where they
-// are on the face; the distance of what would be found instead differs by that displacement times the angle between the
-// surfaces. The displacement is that of the contacts, or what the smaller body tilts by against the other: about the
-// normal it may turn. Between two turns of the normal the bodies are still, and nothing but distances changes: a change
-// in each step, be it of the points' order alone, makes bodies tremble.
+// Bodies that sink, sway or are carried along together keep their contacts as well, where a face of one is the
+// reference face or two faces meet: the normal turns with the face. The bodies may then have moved more against each
+// other, which leaves the points where they are on the face; distances differ by that displacement times the angle
+// between the surfaces. It is measured at the contacts, or as what the smaller body tilts by; about the normal it may
+// turn. Between two turns of the normal nothing but distances changes: a change in each step makes bodies tremble.
 //
 // Physics: no distance is off by more than 10 micrometres for large bodies, no place by more than 1.6 mm, along the
 // face. Bodies that may roll are never recycled while they do.
@@ -89,20 +86,20 @@ class RecycledContacts {
               btPersistentManifold& manifold, btManifoldResult& output);
 
  private:
-  /// What has become of the poses.
+  /// The change of the poses.
   enum class PoseChange {
-    kStill,          ///< Both bodies are where the contacts were last found or updated.
-    kMovedTogether,  ///< Both bodies have moved, and are on the reference face as they were.
-    kChanged,        ///< Neither; or the shapes or the manifold's contacts are others.
+    kStill,          ///< Neither body has moved since the contacts were last found or updated.
+    kMovedTogether,  ///< The bodies have moved, and are on the reference face as they were.
+    kChanged,        ///< Anything else; also other shapes or contacts.
   };
 
-  /// A body then.
+  /// A body when its contacts were found.
   struct CachedSide {
     explicit CachedSide(const btCollisionObjectWrapper& body);
 
     ShapeIdentity shape;
     btTransform pose;
-    btScalar radius;  // From the pose's origin to the body's farthest point; metres.
+    btScalar radius;  // Distance of the body's farthest point from the pose's origin; metres.
   };
 
   RecycledContacts(const btCollisionObjectWrapper& body_a, const btCollisionObjectWrapper& body_b,

@@ -1,13 +1,11 @@
 // Friction anchors: contacts that stick are pulled back to where they stuck (Options::friction_anchors).
 //
-// In Bullet's solver, friction opposes speed. The speed that its iterations leave in a step is never corrected: piles
-// creep by millimetres a minute. Its own friction anchors (btCollisionObject::CF_HAS_FRICTION_ANCHOR) make the solver
-// correct the displacement as well, but preserve a contact point with its old normal and place for as long as it
-// sticks, so that a wheel is pulled to where it stood. Here each step's patch counts, and an anchor corrects only the
-// slip that the solver has left: the displacement by which the two places of a contact that has stuck for two steps or
-// more have moved apart according to their bodies' velocities. A body that rolls does not slip. What slides is not
-// anchored, nor what an app moves: surfaces with a velocity of their own, bodies that it puts elsewhere or pushes
-// between two steps.
+// Friction opposes speed in Bullet's solver, and the speed that its iterations leave is never corrected: piles creep by
+// millimetres a minute. Its own anchors (btCollisionObject::CF_HAS_FRICTION_ANCHOR) correct the displacement as well,
+// but preserve a point with its old normal and place, so that a wheel is pulled to where it stood. Here an anchor
+// corrects only the slip that the solver has left: the displacement by which the two places of a contact that has stuck
+// for two steps or more have moved apart according to their bodies' velocities. Not anchored are what rolls or slides,
+// surfaces with a velocity of their own, and bodies that an app moves or pushes between two steps.
 //
 // Physics: the correction is within the friction cone, and up to a hundredth of the breaking threshold (tests/physics:
 // slide, swing_force, taps, belt, platform, feeder, teleport).
@@ -26,7 +24,8 @@
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
-/// On fewer points bodies rock, and would be given back what they slipped: fifty polytopes come to rest a tenth later.
+/// The least number of points that are anchored: on fewer, bodies rock, and would be given back what they slipped
+/// (fifty polytopes come to rest a tenth later).
 constexpr int kMinAnchors = 3;
 
 /// Whether a point's lateral impulses were within the friction cone.
@@ -126,7 +125,8 @@ class FrictionAnchors {
     const btVector3& normal = point.m_normalWorldOnB;
     const btVector3 apart = place_a - place_b;
     const btVector3 by_velocity =
-        time_step_ * (linear_at_a_ + turning_.cross(place_a - a_.pose.getOrigin()));  // Since the last step.
+        time_step_ *
+        (linear_at_a_ + turning_.cross(place_a - a_.pose.getOrigin()));  // Displacement since the last step.
     const btVector3 unexplained =
         Across(apart - (point.m_positionWorldOnA - point.m_positionWorldOnB) - by_velocity, normal);
     const btScalar allowed_sq = kSameSlip * kSameSlip * by_velocity.length2() + roundoff_ * roundoff_;
@@ -155,7 +155,7 @@ class FrictionAnchors {
 
   const Body a_, b_;
   const btScalar time_step_;
-  const btScalar max_slip_;                            // Metres.
+  const btScalar max_slip_;                            // In metres.
   btVector3 linear_at_a_{0, 0, 0}, turning_{0, 0, 0};  // Velocity of A's origin as B sees it, and angular velocity.
   btScalar roundoff_ = 0;                              // Metres.
   bool can_anchor_;

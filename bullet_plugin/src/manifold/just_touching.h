@@ -1,10 +1,9 @@
 // The distance that apps read of bodies that touch: just below zero.
 //
 // Apps take the sign of a contact's distance for whether two bodies touch. Bullet's own narrowphase meets bodies once
-// they overlap, so that each impact and each rest shows an overlap. Here a body is met ahead of touching, and rests as
-// far from its support as roundoff leaves it. So a contact that this step closes, and a near one that carried something
-// in the last step, is shown as just touching. The solver still gets the gap: it pushes bodies apart by an overlap
-// times the point's error reduction per time step, and a gap is a negative push.
+// they overlap; here a body is met ahead of touching, and rests as far from its support as roundoff leaves it. So a
+// contact that this step closes, and a near one that carried something in the last step, is shown as just touching. The
+// solver still gets the gap: an overlap times the point's error reduction, which is negative here, is a negative push.
 #pragma once
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
@@ -18,7 +17,7 @@
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
-/// Metres: what Bullet's solver makes of this overlap is below roundoff.
+/// The distance of contacts that just touch, metres: what Bullet's solver makes of this overlap is below roundoff.
 constexpr btScalar kJustTouching = btScalar(-1e-9);
 
 /// Whether an app, or its material, has set how a point gives way.
@@ -50,8 +49,8 @@ inline void ShowTouching(btPersistentManifold& manifold, bool was_loaded, const 
   }
 }
 
-/// Forgets which points were shown as touching, or are not pushed by their rebound, before anything else is made of
-/// them: their error reduction is for one step.
+/// Takes back the error reduction of points that were shown as touching, or are not pushed by their rebound: it is for
+/// one step. Comes before anything else in a step.
 inline void ForgetTouching(btPersistentManifold& manifold) {
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     btManifoldPoint& point = manifold.getContactPoint(i);

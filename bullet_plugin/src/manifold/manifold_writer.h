@@ -1,4 +1,4 @@
-// From a contact patch to Bullet's manifold.
+// The writing of a contact patch into Bullet's manifold.
 //
 // Other readers of a pair's contacts, a user's query or the pairs that share a manifold, get them through
 // addContactPoint(). A pair's own manifold has most points from step to step, and those are updated in place: Bullet
@@ -27,9 +27,9 @@ struct Options;
 
 /// A contact of bodies A and B in Bullet's precision.
 struct ManifoldContact {
-  btVector3 normal_on_b;                   ///< Unit, from B to A, world.
-  btVector3 on_a, on_b;                    ///< World, metres; of contacts ahead of touching, each on its own body.
-  btScalar separation;                     ///< Metres, negative for overlap.
+  btVector3 normal_on_b;                   ///< Normal from B to A, unit, world.
+  btVector3 on_a, on_b;                    ///< Places, world, metres; ahead of touching, each on its own body.
+  btScalar separation;                     ///< Separation in metres, negative for overlap.
   const MeshTriangle* triangle = nullptr;  ///< The triangle, if body B is a mesh; outlives the contact.
 };
 
@@ -37,7 +37,7 @@ struct ManifoldContact {
 /// A to B, the shapes in the order of the call; Bullet's points from B to A.
 void WritePatch(const dgd::ContactPatch<double>& patch, const Vector3& normal, btManifoldResult& output);
 
-/// What becomes of the points that a pair's own manifold has already.
+/// The update of the points that a pair's own manifold has already.
 struct ManifoldUpdate {
   bool drop_stale = true;  ///< Points that the patch does not continue are dropped, so that none outlives the geometry
                            ///< that made it (bullet3 issues 1739, 2646); else Bullet drops them where they part.

@@ -14,7 +14,7 @@ namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
 struct MeshTriangle {
-  std::array<btVector3, 3> corners;  ///< In the mesh's frame, scaled; metres.
+  std::array<btVector3, 3> corners;  ///< Corners in the mesh's frame, scaled; metres.
   int part, index;                   ///< Bullet's numbers of it. The halves of a heightfield's squares share them.
 };
 

@@ -1,15 +1,14 @@
 // The order of a manifold's points: Options::order_points_by_impulse.
 //
-// Bullet's contact solver goes through the points one after the other, and what comes later is left more undone. Here
-// the point that carried most in the last step comes first, and the others follow around the patch. Two opposite
-// corners that come first would carry three quarters of the load between them and let stacks of small boxes rock (four
-// of 0.2 m at 60 Hz: 23 mm away after 5 s, 7 with this order). A last point that carries much feeds the sway of high
-// towers (scenes/tower_20.json in float: 120 mm/s with an order that does not depend on impulses, 2 with this; Bullet's
-// narrowphase 42).
+// Bullet's contact solver goes through the points one after the other, and leaves more undone of what comes later. The
+// point that carried most in the last step comes first here, the others follow around the patch. Two opposite corners
+// first would carry three quarters of the load and let stacks of small boxes rock (four of 0.2 m at 60 Hz: 23 mm away
+// after 5 s, 7 with this order); a last point that carries much feeds the sway of high towers (scenes/tower_20.json in
+// float: 120 mm/s with an order that does not depend on impulses, 2 with this; Bullet's narrowphase 42).
 //
-// Physics: points, forces and their sum are the same in a solver that converges; with few iterations, the solver's
-// error is another. Links of multibodies, which another solver takes, keep their order: with this one, the gripper of
-// tests/apps drops 41 of 126 boxes in double and 44 in float, 31 without (42 at 240, 480, 1000 Hz).
+// Physics: points, forces and their sum are the same in a solver that converges. Links of multibodies, which another
+// solver takes, keep their order: with this one, the gripper of tests/apps drops 41 of 126 boxes in double and 44 in
+// float, 31 without (42 at 240, 480, 1000 Hz).
 #pragma once
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
@@ -43,7 +42,7 @@ inline void OrderByImpulse(btPersistentManifold& manifold) {
     const btVector3 &origin = first.m_positionWorldOnB, &normal = first.m_normalWorldOnB;
     return (point.m_positionWorldOnB - origin).cross(other.m_positionWorldOnB - origin).dot(normal) > 0;
   };
-  // By insertion: most often they are in order already.
+  // Insertion is quick, since most often they are in order already.
   for (int i = 2; i < count; ++i) {
     for (int j = i; j > 1 && is_before(manifold.getContactPoint(j), manifold.getContactPoint(j - 1)); --j) {
       std::swap(manifold.getContactPoint(j), manifold.getContactPoint(j - 1));

@@ -1,4 +1,4 @@
-// Rebounds at the speed that the coefficient of restitution says, at any time step.
+// Rebounds at the speed that the coefficient of restitution sets, at any time step.
 //
 // Bullet's constraint solver has bodies part at the coefficient times their speed of approach before the step's forces,
 // and adds the gap or the overlap to that: bodies that are apart by s part slower by s / dt, and those that overlap by
@@ -32,7 +32,8 @@
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
-/// Metres per second: Bullet's solver lets slower bodies come to rest (btContactSolverInfo's own default).
+/// Speed of approach below which Bullet's solver lets bodies come to rest, metres per second (btContactSolverInfo's own
+/// default).
 constexpr double kSlowestRebound = 0.2;
 
 /// An error reduction that changes nothing, and that ForgetTouching() takes back.

@@ -34,7 +34,7 @@ dgd::FacingFaces<double> FindFacing(const PosedShape& shape, const PosedShape& t
 /// where that is along the triangle.
 bool IsTowards(const Vector3& normal, const PosedShape& convex, const PosedShape& triangle, const PairCache& cache) {
   if (cache.HasNormal()) {
-    // Most of a body may be behind the plane of a triangle that it is next to.
+    // A body's centre may be behind the plane of a triangle that it is next to.
     const Vector3 last = cache.IsSwapped() ? Vector3(-(triangle.pose.rotation * cache.NormalInA()))
                                            : Vector3(convex.pose.rotation * cache.NormalInA());
     const double cosine = normal.dot(last);
@@ -72,7 +72,7 @@ FaceContacts FindTriangleFaceContacts(SharedState& narrowphase, PairCache& cache
   const bool for_user = query.limits.is_user_query;
   const PosedShape convex = AdaptBody(narrowphase, convex_and_triangle.first, hull, for_user);
   const PosedShape triangle = AdaptBody(narrowphase, convex_and_triangle.second, no_hull, for_user);
-  // Where they meet, the body may be on the other side of a triangle that it reaches from outside of it.
+  // The side is that of now: where they meet, a body that reaches a triangle from outside of it may be on the other.
   const Vector3 towards = IsTowards(normal, convex, triangle, cache) ? normal : Vector3(-normal);
   MovingPair pair(convex, triangle, query.motion);
   pair.MoveTo(moment.time);

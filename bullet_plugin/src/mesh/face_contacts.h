@@ -15,7 +15,7 @@ inline namespace DGD_BULLET_PRECISION {
 /// The contacts along a normal.
 struct FaceContacts {
   dgd::ContactPatch<double> patch;
-  Vector3 normal = Vector3::Zero();  ///< From the body to the triangle; unit, world.
+  Vector3 normal = Vector3::Zero();  ///< Normal from the body to the triangle; unit, world.
 };
 
 /// The contacts of a body and a triangle along the triangle's normal, after their pair has been solved in this step:

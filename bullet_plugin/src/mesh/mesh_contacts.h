@@ -1,17 +1,15 @@
 // The contacts of a convex body with all triangles of a mesh that it is near, without ghosts at internal edges.
 //
-// A triangle on its own has edges and corners that a body can hang on to; in a mesh most of them are internal: the
-// surface goes on. A contact at an edge or corner counts only if that is exposed along the contact's normal, which is
-// if none of the triangles that share it rises above it along the normal: the normal is in the feature's Voronoi region
-// (Ericson, Real-Time Collision Detection, 5.1.5; the same condition as Bullet's btInternalEdgeUtility and Jolt's
-// ActiveEdges, found from the triangles at hand in place of tables). So at a flat or concave edge no normal but the
-// faces' own counts, at a ridge those between the two faces', at the mesh's border all. It holds on either side of the
-// surface.
+// A triangle on its own has edges and corners that a body can hang on to; in a mesh most of them are internal. A
+// contact at an edge or corner counts only if that is exposed along the contact's normal, which is if none of the
+// triangles that share it rises above it along the normal: the normal is in the feature's Voronoi region (Ericson,
+// Real-Time Collision Detection, 5.1.5; the same condition as Bullet's btInternalEdgeUtility and Jolt's ActiveEdges,
+// found from the triangles at hand in place of tables). It holds on either side of the surface.
 //
-// A ghost still means that the body is near the triangle, and may be over its face: a ghost that comes from above is to
-// be met along the triangle's normal in any case (ToTurn()), as the far side of a box that is tilted a little. One from
-// aside, of a body so deep that a triangle's own way out is sideways, is only if nothing covers it: it is covered if
-// the triangle that rises above it has a contact that counts, or a ghost that is covered.
+// A ghost still means that the body is near the triangle, and may be over its face: one that comes from above is met
+// along the triangle's normal in any case (ToTurn()), as the far side of a box that is tilted a little. One from aside,
+// of a body so deep that a triangle's own way out is sideways, is only if nothing covers it: it is covered if the
+// triangle that rises above it has a contact that counts, or a ghost that is covered.
 #pragma once
 
 #include <LinearMath/btTransform.h>
@@ -31,15 +29,15 @@ inline namespace DGD_BULLET_PRECISION {
 
 /// A contact of a convex body, A, with a triangle of a mesh, B.
 struct MeshContact {
-  Vector3 normal_on_b;  ///< Unit, from the mesh to the body, world.
-  Vector3 on_a, on_b;   ///< World, metres.
-  double separation;    ///< Metres, negative for overlap.
+  Vector3 normal_on_b;  ///< Normal from the mesh to the body, unit, world.
+  Vector3 on_a, on_b;   ///< Places, world, metres.
+  double separation;    ///< Separation in metres, negative for overlap.
   int triangle;         ///< Index among the step's triangles.
 
-  // For the reduction (contact_reduction.h).
-  bool touches = false;                           // Or will by the end of the step.
-  bool is_continued = false;                      // The manifold has it already.
-  bool is_new_direction = true, is_apart = true;  // Of those that are kept.
+  // The rest is for the reduction (contact_reduction.h).
+  bool touches = false;                           // Whether it touches now or at the end of the step.
+  bool is_continued = false;                      // Whether the manifold has it already.
+  bool is_new_direction = true, is_apart = true;  // Whether it differs from all that are kept.
 };
 
 /// The contacts of one step; their memory is reused in the next. All that adds may throw std::bad_alloc.
@@ -86,7 +84,7 @@ class MeshContacts {
   /// A triangle's bounding box, in the mesh's frame.
   struct Box {
     bool Contains(const btVector3& place, btScalar tolerance) const {
-      // Without a branch for each.
+      // One comparison saves branches.
       const btVector3 above = place - low, below = high - place;
       return btMin(btMin(btMin(above.x(), above.y()), above.z()), btMin(btMin(below.x(), below.y()), below.z())) >=
              -tolerance;
@@ -98,7 +96,7 @@ class MeshContacts {
   /// Contacts along one normal.
   struct Patch {
     int triangle;
-    std::size_t begin, end;  // In the list of contacts.
+    std::size_t begin, end;  // Range in the list of contacts.
     bool counts;
   };
 
@@ -119,19 +117,19 @@ class MeshContacts {
   const btTransform* mesh_ = nullptr;
   Matrix3 rotation_;
   std::vector<MeshTriangle> triangles_;
-  std::vector<Box> boxes_;  // Of the triangles.
+  std::vector<Box> boxes_;  // Boxes of the triangles.
   struct Sorted {
-    btScalar low;  // Of the box.
+    btScalar low;  // The box's lower end.
     int triangle;
   };
   int sort_axis_ = 0;
-  btScalar max_width_ = 0;  // Of a box along that axis.
+  btScalar max_width_ = 0;  // Largest width of a box along that axis.
   std::vector<Sorted> sorted_;
-  std::vector<State> states_;  // Of the triangles.
+  std::vector<State> states_;  // States of the triangles.
   std::vector<Patch> patches_;
   std::vector<MeshContact> contacts_, kept_;
   struct Link {
-    int ghost, above;  // Triangles.
+    int ghost, above;  // Indices of triangles.
   };
   std::vector<Link> links_;
   std::vector<int> to_turn_;

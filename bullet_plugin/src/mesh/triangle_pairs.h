@@ -45,8 +45,8 @@ class TrianglePairs {
   };
 
   btDispatcher& dispatcher_;
-  std::vector<Pair> pairs_;  // In the order in which the mesh visits them.
-  std::size_t next_ = 0;     // Behind the last one that was found or inserted.
+  std::vector<Pair> pairs_;  // Pairs in the order in which the mesh visits them.
+  std::size_t next_ = 0;     // The place behind the last one that was found or inserted.
 };
 
 /// Destroys an algorithm that came from a dispatcher.

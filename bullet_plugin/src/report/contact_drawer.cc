@@ -13,7 +13,7 @@ namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 namespace {
 
-constexpr btScalar kNormalLength = btScalar(0.1);  // Metres.
+constexpr btScalar kNormalLength = btScalar(0.1);  // Length in metres.
 
 const btVector3 kNormalColor(1, btScalar(0.6), 0);
 const btVector3 kOutlineColor(0, btScalar(0.8), 1);

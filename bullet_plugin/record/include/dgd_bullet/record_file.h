@@ -29,7 +29,7 @@ namespace dgd_bullet {
 /// core + ball(radius), in its own frame: the geometry that Bullet's GJK sees. Metres; round cores stand along z.
 struct RecordedShape {
   enum class Core : std::uint8_t {
-    kPoint,     ///< At the origin: a sphere.
+    kPoint,     ///< The origin: a sphere.
     kSegment,   ///< Half length: a capsule.
     kTriangle,  ///< Three corners.
     kBox,       ///< Three half extents.
@@ -44,7 +44,7 @@ struct RecordedShape {
 
 /// The pose of a shape's frame in the world: x_world = rotation * x_local + translation.
 struct RecordedPose {
-  std::array<double, 9> rotation;  ///< By rows.
+  std::array<double, 9> rotation;  ///< Row by row.
   std::array<double, 3> translation;
 };
 
@@ -58,7 +58,7 @@ struct RecordedPair {
 struct Record {
   int real_bytes = 0;  ///< Bytes of a real of the Bullet that was recorded: 4 for float, 8 for double.
   std::vector<RecordedShape> shapes;
-  std::vector<RecordedPair> pairs;  ///< In the order of the queries.
+  std::vector<RecordedPair> pairs;  ///< Pairs in the order of the queries.
   std::uint64_t left_out = 0;       ///< Pairs that could not be recorded; see Recorder.
   /// Why this is not all that the file should hold: it is damaged, and what follows was not read; or it was not closed.
   std::optional<std::string> problem;
