@@ -35,7 +35,7 @@ install_packages cppcheck
 cppcheck --std=c++20 --language=c++ --quiet --error-exitcode=1 --enable=warning,performance,portability \
   --inline-suppr --suppress=missingInclude --suppress=missingIncludeSystem --suppress=internalAstError \
   --suppress=syntaxError --suppress=unknownMacro -DNDEBUG -UDGD_FLATTEN_QUERIES -j "$(nproc)" -I dgd_core/include \
-  -I bullet_plugin/include -I bullet_plugin/src -I demos -I tests "$@" || status=1
+  -I bullet_plugin/include -I bullet_plugin/record/include -I bullet_plugin/src -I demos -I tests "$@" || status=1
 [ -n "$with_tidy" ] || exit "$status"
 
 install_packages clang-tidy-14
