@@ -13,6 +13,7 @@
 #include "support/extent.h"
 #include "support/pairs/any_pair.h"
 #include "support/pairs/with_core.h"
+#include "support/sets/dsf.h"
 
 namespace dgd_bench {
 
@@ -40,9 +41,9 @@ template <int L>
 struct SolverSet {
   std::shared_ptr<const void> core;  ///< That `set` may refer to.
   std::conditional_t<L == 3, dgd::AnySet, PlaneSet> set;
-  const dgd::Dsf<double>* dsf = nullptr;      ///< The core, if it is one.
-  std::unique_ptr<SupportFunction<L>> plain;  ///< The same core, as the paper's algorithm takes it.
-  double extent = 0;                          ///< Metres.
+  const dgd_test::Dsf<double>* dsf = nullptr;  ///< The core, if it is one.
+  std::unique_ptr<SupportFunction<L>> plain;   ///< The same core, as the paper's algorithm takes it.
+  double extent = 0;                           ///< Metres.
 };
 
 /// Throws std::invalid_argument for a type of another dimension.

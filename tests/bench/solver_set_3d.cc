@@ -8,7 +8,7 @@ namespace {
 
 /// The templates for two cores of known types, as users write them: the one pair for which AnySet knows less, since to
 /// it a differentiable support function is any custom core, without derivatives.
-using DsfSet = dgd::RoundedSet<dgd::CoreReference<dgd::Dsf<double>>>;
+using DsfSet = dgd::RoundedSet<dgd::CoreReference<dgd_test::Dsf<double>>>;
 
 DsfSet AsDsf(const SolverSet<3>& set) { return {*set.dsf, set.set.Radius()}; }
 
@@ -18,8 +18,8 @@ template <>
 SolverSet<3> MakeSolverSet<3>(const dgd_test::SetNumbers& numbers) {
   return WithStoredSet<3>(
       numbers, []<class Core, class Set>(const std::shared_ptr<const Core>& core, const Set& set) -> SolverSet<3> {
-        const dgd::Dsf<double>* dsf = nullptr;
-        if constexpr (std::same_as<Core, dgd::Dsf<double>>) dsf = core.get();
+        const dgd_test::Dsf<double>* dsf = nullptr;
+        if constexpr (std::same_as<Core, dgd_test::Dsf<double>>) dsf = core.get();
         auto plain = std::make_unique<SupportFunctionOf<typename Set::Core>>(set);
         const double extent = dgd_test::Extent(*core, set.radius);
         if constexpr (std::constructible_from<dgd::AnySet, Set>) {

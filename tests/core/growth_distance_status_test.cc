@@ -5,6 +5,7 @@
 #include "support/checks.h"
 #include "support/random_sets.h"
 #include "support/scalars.h"
+#include "support/sets/transformed.h"
 
 namespace dgd_test {
 namespace {
@@ -91,7 +92,7 @@ TYPED_TEST(GrowthDistanceStatus, InteriorBelowRounding_OfAFarOrigin) {
   const S far = S(60) / dgd::kEpsilon<S>;
   const auto box = Erase(dgd::RoundedSet{dgd::Box<S>(Vector(4, 6, 4))});
   const auto ask = [&](S offset) {
-    const dgd::RoundedSet cylinder{dgd::Transformed(
+    const dgd::RoundedSet cylinder{Transformed(
         dgd::Cylinder<S>(S(0.1), S(2.5)), dgd::Matrix3<S>(dgd::Matrix3<S>::Identity()), Vector(4, -offset, -offset))};
     return AnyPair<S, 3>(box, {}, Erase(cylinder), {}).GrowthDistance();
   };

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "dgd/shapes/mesh.h"
+#include "dgd/shapes/polytope.h"
 #include "support/checks.h"
 #include "support/random_sets.h"
 

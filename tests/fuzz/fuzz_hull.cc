@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "dgd/convex_hull.h"
-#include "dgd/shapes/mesh.h"
 #include "dgd/shapes/polytope.h"
 #include "fuzz/fuzz_input.h"
 #include "fuzz/fuzz_target.h"

@@ -6,16 +6,13 @@
 #include "dgd/shapes/box.h"
 #include "dgd/shapes/cone.h"
 #include "dgd/shapes/cylinder.h"
-#include "dgd/shapes/dsf.h"
 #include "dgd/shapes/ellipsoid.h"
 #include "dgd/shapes/frustum.h"
 #include "dgd/shapes/half_space.h"
-#include "dgd/shapes/mesh.h"
 #include "dgd/shapes/point.h"
 #include "dgd/shapes/polygon.h"
 #include "dgd/shapes/polytope.h"
 #include "dgd/shapes/segment.h"
-#include "dgd/shapes/transformed.h"
 #include "dgd/shapes/triangle.h"
 
 namespace dgd {

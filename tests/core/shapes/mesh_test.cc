@@ -1,5 +1,3 @@
-#include "dgd/shapes/mesh.h"
-
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
@@ -9,9 +7,10 @@
 #include <span>
 
 #include "dgd/shapes/box.h"
-#include "dgd/shapes/transformed.h"
+#include "dgd/shapes/polytope.h"
 #include "dgd/solver/tolerances.h"
 #include "support/random_sets.h"
+#include "support/sets/transformed.h"
 #include "support/shape_contract.h"
 
 namespace dgd_test {
@@ -151,8 +150,8 @@ TEST(Mesh, GuessSupport_IsAVertexAboutAsHighAsAny) {
   for (int i = 0; i < 500; ++i) points.push_back(random.UnitVector());
   const dgd::Mesh<double> mesh(points);
   const dgd::CoreReference<dgd::Mesh<double>> reference(mesh);
-  const dgd::Transformed<dgd::CoreReference<dgd::Mesh<double>>> moved(reference, 2 * Eigen::Matrix3d::Identity(),
-                                                                      Vector3d(1, 2, 3));
+  const Transformed<dgd::CoreReference<dgd::Mesh<double>>> moved(reference, 2 * Eigen::Matrix3d::Identity(),
+                                                                 Vector3d(1, 2, 3));
   EXPECT_TRUE(dgd::IsGuessing(mesh) && dgd::IsGuessing(reference) && dgd::IsGuessing(moved));
   EXPECT_FALSE(dgd::IsGuessing(dgd::Polytope<double>(std::vector<Vector3d>(points.begin(), points.begin() + 20))));
   EXPECT_FALSE(dgd::IsGuessing(dgd::Box<double>({1, 1, 1})));
@@ -175,7 +174,7 @@ TEST(Mesh, SteepestAscent_LeadsToTheFacetBeside) {
   const dgd::Mesh<double> mesh(points);
   const dgd::CoreReference<dgd::Mesh<double>> reference(mesh);
   const Eigen::Matrix3d stretch = Vector3d(1, 2, 3).asDiagonal();
-  const dgd::Transformed<dgd::CoreReference<dgd::Mesh<double>>> moved(reference, stretch, Vector3d(1, 2, 3));
+  const Transformed<dgd::CoreReference<dgd::Mesh<double>>> moved(reference, stretch, Vector3d(1, 2, 3));
   EXPECT_TRUE(mesh.IsLinked() && reference.IsLinked() && moved.IsLinked());
   EXPECT_FALSE(dgd::Polytope<double>(Points(points.begin(), points.begin() + 20)).IsLinked());
   const dgd::ConvexHull& hull = mesh.Hull();

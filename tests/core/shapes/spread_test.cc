@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "dgd/shapes.h"
-#include "dgd/shapes/dsf.h"
 #include "support/random.h"
+#include "support/sets/dsf.h"
+#include "support/sets/transformed.h"
 
 namespace dgd_test {
 namespace {
@@ -55,9 +56,9 @@ TEST(Spread, OfHulls_IsAboutTheirReachHoweverTheyLie) {
   const dgd::Polytope<double> hull(points);
   ExpectWidthsNear(hull, 0.6, 1.5);
   ExpectWidthsNear(dgd::CoreReference<dgd::Polytope<double>>(hull), 0.6, 1.5);
-  ExpectWidthsNear(dgd::Dsf<double>(points, 8), 0.6, 2);
+  ExpectWidthsNear(Dsf<double>(points, 8), 0.6, 2);
   const Eigen::Matrix3d shear = (Eigen::Matrix3d() << 1, 0.5, 0, 0, 2, 0, 0, -0.3, 0.5).finished();
-  ExpectWidthsNear(dgd::Transformed<dgd::Polytope<double>>(hull, shear, Vector3d(1, 2, 3)), 0.6, 1.5);
+  ExpectWidthsNear(Transformed<dgd::Polytope<double>>(hull, shear, Vector3d(1, 2, 3)), 0.6, 1.5);
 }
 
 TEST(Spread, OfACoreThatDoesNotTell_IsOfTheBallInside) {

@@ -11,7 +11,6 @@
 
 #include "dgd/certificate.h"
 #include "dgd/growth_distance.h"
-#include "dgd/shapes/mesh.h"
 #include "dgd/shapes/polytope.h"
 #include "support/random.h"
 

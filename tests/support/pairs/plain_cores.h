@@ -7,7 +7,7 @@
 
 #include "dgd/convex_set.h"
 #include "dgd/shapes/box.h"
-#include "dgd/shapes/support_distance.h"
+#include "support/sets/support_distance.h"
 
 namespace dgd_test {
 
@@ -57,7 +57,7 @@ class Superellipsoid {
   }
   S Distance(const dgd::Vector<S, L>& point) const {
     const InDouble core{*this};
-    return static_cast<S>(dgd::SupportDistance<L, InDouble>(core, point.template cast<double>()).Find());
+    return static_cast<S>(SupportDistance<L, InDouble>(core, point.template cast<double>()).Find());
   }
 
  private:

@@ -9,6 +9,8 @@
 #include "dgd/shapes.h"
 #include "support/pairs/plain_cores.h"
 #include "support/pairs/set_numbers.h"
+#include "support/sets/dsf.h"
+#include "support/sets/transformed.h"
 
 namespace dgd_test {
 namespace core_internal {
@@ -22,8 +24,8 @@ dgd::Vector3<S> PointOf(const SetNumbers& set, std::size_t i) {
 }
 
 template <class S, class Core>
-dgd::Transformed<Core> Mapped(const Core& core, const SetNumbers& set) {
-  return dgd::Transformed(core, dgd::Matrix3<S>(set.stretch.cast<S>()), PointOf<S>(set, 0));
+Transformed<Core> Mapped(const Core& core, const SetNumbers& set) {
+  return Transformed(core, dgd::Matrix3<S>(set.stretch.cast<S>()), PointOf<S>(set, 0));
 }
 
 template <class S>
@@ -75,17 +77,17 @@ dgd::Mesh<S> Make(Wanted<S, SetType::kMesh>, const SetNumbers& set) {
   return dgd::Mesh<S>(set.points);
 }
 template <class S>
-dgd::Dsf<S> Make(Wanted<S, SetType::kDsf>, const SetNumbers& set) {
-  return dgd::Dsf<S>(set.points, set.exponent);
+Dsf<S> Make(Wanted<S, SetType::kDsf>, const SetNumbers& set) {
+  return Dsf<S>(set.points, set.exponent);
 }
 /// Half extents, map, offset.
 template <class S>
-dgd::Transformed<dgd::Box<S>> Make(Wanted<S, SetType::kAffineBox>, const SetNumbers& set) {
+Transformed<dgd::Box<S>> Make(Wanted<S, SetType::kAffineBox>, const SetNumbers& set) {
   return Mapped<S>(Make(Wanted<S, SetType::kBox>(), set), set);
 }
 /// Radius, half height, map, offset.
 template <class S>
-dgd::Transformed<dgd::Cylinder<S>> Make(Wanted<S, SetType::kAffineCylinder>, const SetNumbers& set) {
+Transformed<dgd::Cylinder<S>> Make(Wanted<S, SetType::kAffineCylinder>, const SetNumbers& set) {
   return Mapped<S>(Make(Wanted<S, SetType::kCylinder>(), set), set);
 }
 /// Half extents.

@@ -17,7 +17,7 @@
 
 namespace dgd {
 
-/// @tparam kMostScanned  Of the vertices; for tests and measurements.
+/// @tparam kMostScanned  Hulls of more vertices are climbed.
 template <class S, VertexId kMostScanned = kMostScannedVertices>
 class Polytope {
  public:
@@ -84,8 +84,8 @@ class Polytope {
   /// Distance of `point` to the core, metres; 0 inside. Looks at every facet: for certificates.
   S Distance(const Vector3<S>& point) const { return static_cast<S>(DistanceTo(hull_, point.template cast<double>())); }
 
-  /// Of the facets around the support vertex, the one whose normal is nearest to `direction`; for hulls below
-  /// dimension 2 the whole hull.
+  /// The facet around the support vertex whose normal is nearest to `direction`; for hulls below dimension 2 the whole
+  /// hull.
   void SupportFace(const Vector3<S>& direction, SupportingFace<S>& face) const {
     const VertexId vertex = Support(direction).feature;
     if constexpr (kMayLackFacets) {
@@ -101,7 +101,7 @@ class Polytope {
   using Vertices = std::vector<Eigen::Vector3d>;
   using Faces = std::vector<FacePlane<S>>;
 
-  /// Of more facets, looking at all takes longer than a query.
+  /// A search of more facets takes longer than a query.
   static constexpr std::size_t kMostFaces = 128;
 
   static constexpr bool kMayLackFacets = std::is_same_v<S, double>;
@@ -122,5 +122,9 @@ class Polytope {
   Matrix3<S> spread_;
   Faces faces_;  // Empty if the centre stays.
 };
+
+/// A polytope that climbs along its edges from one vertex on, as a Polytope does from kMostScannedVertices on.
+template <class S>
+using Mesh = Polytope<S, 0>;
 
 }  // namespace dgd

@@ -1,4 +1,4 @@
-#include "dgd/shapes/transformed.h"
+#include "support/sets/transformed.h"
 
 #include <Eigen/LU>
 #include <cmath>
@@ -45,7 +45,7 @@ Vector3d Offset() { return {0.25, -1, 3}; }
 template <class Core>
 void CheckTransformed(const Core& core, const ExpectedSet<3>& expected, double discretisation = 0) {
   using S = typename Core::Scalar;
-  const dgd::Transformed<Core> transformed(core, Shear().cast<S>(), Offset().cast<S>());
+  const Transformed<Core> transformed(core, Shear().cast<S>(), Offset().cast<S>());
   CheckExpected(transformed, ImageOf<3>(expected, Shear(), Offset()), 3 * discretisation);
 }
 
@@ -76,16 +76,16 @@ TEST(Transformed, Contract_HoldsInThePlane) {
   linear << 1, -0.5, 0.25, 2;
   const Eigen::Vector2d offset(3, -1);
   const auto ellipse = [](const Eigen::Vector2d& d) { return std::hypot(0.3 * d.x(), d.y()); };
-  CheckExpected(dgd::Transformed(dgd::Ellipse<double>({0.3, 1}), linear, offset),
+  CheckExpected(Transformed(dgd::Ellipse<double>({0.3, 1}), linear, offset),
                 ImageOf<2>({ellipse, 2, 2}, linear, offset));
-  CheckExpected(dgd::Transformed(dgd::Rectangle<double>({1, 2}), linear, offset),
+  CheckExpected(Transformed(dgd::Rectangle<double>({1, 2}), linear, offset),
                 ImageOf<2>(ExpectedHull<2>({{1, 2}, {-1, 2}, {1, -2}, {-1, -2}}), linear, offset));
 }
 
 // Its caps are ellipses, which the solver's way with flat faces would take for discs.
 TEST(Transformed, FaceNormals_AreNotHandedOn) {
   static_assert(dgd::FacedCore<dgd::Cylinder<double>>);
-  static_assert(!dgd::FacedCore<dgd::Transformed<dgd::Cylinder<double>>>);
+  static_assert(!dgd::FacedCore<Transformed<dgd::Cylinder<double>>>);
 }
 
 // A ball stretched along its axes is an ellipsoid, whose distance is known by another way.
@@ -93,8 +93,8 @@ TEST(Transformed, Distance_IsTheEllipsoidsForAStretchedBall) {
   Random random(TestSeed());
   for (int i = 0; i < 300; ++i) {
     const Vector3d axes(random.LogUniform(0.01, 1), random.LogUniform(0.01, 1), random.LogUniform(0.01, 1));
-    const dgd::Transformed<dgd::Ellipsoid<double>> ball(dgd::Ellipsoid<double>({1, 1, 1}), axes.asDiagonal(),
-                                                        Vector3d::Zero());
+    const Transformed<dgd::Ellipsoid<double>> ball(dgd::Ellipsoid<double>({1, 1, 1}), axes.asDiagonal(),
+                                                   Vector3d::Zero());
     const dgd::Ellipsoid<double> ellipsoid(axes);
     const Vector3d normal = random.UnitVector();
     const Vector3d point = ellipsoid.Support(normal).point + random.LogUniform(1e-6, 10) * normal;
@@ -105,14 +105,14 @@ TEST(Transformed, Distance_IsTheEllipsoidsForAStretchedBall) {
 
 TEST(Transformed, Inradius_IsNeverTooLarge) {
   const Matrix3d stretch = Vector3d(1, 0.5, 4).asDiagonal();
-  const dgd::Transformed<dgd::Box<double>> box(dgd::Box<double>({2, 3, 4}), stretch, Vector3d::Zero());
+  const Transformed<dgd::Box<double>> box(dgd::Box<double>({2, 3, 4}), stretch, Vector3d::Zero());
   EXPECT_LE(box.Inradius(), 1);
   EXPECT_NEAR(box.Inradius(), 1, 1e-13);
 }
 
 TEST(Transformed, Constructor_RejectsSingularAndNonFiniteMaps) {
   const auto make = [](const Matrix3d& linear, const Vector3d& offset) {
-    return dgd::Transformed<dgd::Point<double>>(dgd::Point<double>(), linear, offset);
+    return Transformed<dgd::Point<double>>(dgd::Point<double>(), linear, offset);
   };
   Matrix3d linear = Matrix3d::Identity();
   linear(2, 2) = 0;

@@ -1,4 +1,4 @@
-#include "dgd/shapes/dsf.h"
+#include "support/sets/dsf.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,11 +7,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "dgd/shapes/support_distance.h"
-#include "dgd/shapes/vertex_scan_kernels.h"
-#include "dsf_sums.h"
+#include "support/sets/dsf_sums.h"
+#include "support/sets/support_distance.h"
 
-namespace dgd {
+namespace dgd_test {
 namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
@@ -53,12 +52,14 @@ void SumBaseline(const double* offsets, std::size_t blocks, const double* direct
 
 }  // namespace
 
-DsfInDouble::DsfInDouble(const ConvexHull& hull, double exponent)
+bool dsf_internal::HasAvx2() { return __builtin_cpu_supports("avx2") != 0; }
+
+DsfInDouble::DsfInDouble(const dgd::ConvexHull& hull, double exponent)
     : exponent_(exponent),
       whole_power_(WholeOrZero(exponent - 2)),
       least_part_(std::exp2(std::max(-kNegligible / (exponent - 2), -kLowest))),
       origin_(hull.center),
-      inradius_(InradiusOfRounded<double>(hull)) {
+      inradius_(dgd::InradiusOfRounded<double>(hull)) {
   if (!(std::isfinite(exponent) && exponent > 2)) {
     throw std::invalid_argument("dsf exponent must be finite and > 2; got " + std::to_string(exponent));
   }
@@ -80,7 +81,7 @@ DsfInDouble::DsfInDouble(const ConvexHull& hull, double exponent)
 }
 
 dsf_internal::Sums DsfInDouble::SumsAlong(const Eigen::Vector3d& direction, bool with_spread) const {
-  static const dsf_internal::SumKernel kBest = vertex_scan::HasAvx2() ? dsf_internal::SumAvx2 : SumBaseline;
+  static const dsf_internal::SumKernel kBest = dsf_internal::HasAvx2() ? dsf_internal::SumAvx2 : SumBaseline;
   dsf_internal::Sums sums;
   kBest(offsets_.data(), offsets_.size() / dsf_internal::kBlock, direction.data(),
         {exponent_, whole_power_, least_part_}, with_spread, sums);
@@ -91,8 +92,8 @@ dsf_internal::Sums DsfInDouble::SumsAlong(const Eigen::Vector3d& direction, bool
 /// others as parts of it and q = sum r_j^p, the support value is s = m q^(1/p), and the gradient g = q^(1/p - 1) sum
 /// r_j^(p-1) w_j. The Hessian is (p - 1) / (q s) sum r_j^(p-2) z_j z_j^T with z_j = q^(1/p) w_j - r_j g. Both are
 /// written by u_j = w_j - r_j w_0, w_0 the highest offset: near a vertex the sums of w_j would cancel.
-CurvedPoint<double> DsfInDouble::Curve(const Eigen::Vector3d& direction, bool with_derivative) const {
-  CurvedPoint<double> curved{origin_, Matrix3<double>::Constant(std::numeric_limits<double>::quiet_NaN())};
+dgd::CurvedPoint<double> DsfInDouble::Curve(const Eigen::Vector3d& direction, bool with_derivative) const {
+  dgd::CurvedPoint<double> curved{origin_, dgd::Matrix3<double>::Constant(std::numeric_limits<double>::quiet_NaN())};
   const double length = direction.cwiseAbs().maxCoeff();
   if (!(length > 0)) return curved;
   const dsf_internal::Sums sums = SumsAlong(direction / length, with_derivative);
@@ -103,18 +104,18 @@ CurvedPoint<double> DsfInDouble::Curve(const Eigen::Vector3d& direction, bool wi
   if (!with_derivative) return curved;
 
   const auto& [xx, xy, xz, yy, yz, zz] = sums.spread;
-  Matrix3<double> spread;
+  dgd::Matrix3<double> spread;
   spread << xx, xy, xz, xy, yy, yz, xz, yz, zz;
   curved.derivative = (exponent_ - 1) * root / (sums.powers * sums.highest * length) *
                       (spread - sums.powers * offset * offset.transpose());
   return curved;
 }
 
-SupportPoint<double> DsfInDouble::Support(const Eigen::Vector3d& direction) const {
+dgd::SupportPoint<double> DsfInDouble::Support(const Eigen::Vector3d& direction) const {
   return {Curve(direction, false).point, 0};
 }
 
-CurvedPoint<double> DsfInDouble::PieceSupport(FeatureId, const Eigen::Vector3d& direction) const {
+dgd::CurvedPoint<double> DsfInDouble::PieceSupport(dgd::FeatureId, const Eigen::Vector3d& direction) const {
   return Curve(direction, true);
 }
 
@@ -131,4 +132,4 @@ double DsfInDouble::Distance(const Eigen::Vector3d& point) const {
   return SupportDistance<3, DsfInDouble>(*this, point).Find();
 }
 
-}  // namespace dgd
+}  // namespace dgd_test

@@ -1,12 +1,13 @@
 // Internal: the sums over a point set that a differentiable support function is made of, four points at a time.
-// Compiled apart for AVX2, and from nothing that other translation units instantiate too: see vertex_scan_kernels.h.
+// Compiled apart for AVX2, and from nothing that other translation units instantiate too: such code must not end up
+// where the processor has none.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
 
-namespace dgd::dsf_internal {
+namespace dgd_test::dsf_internal {
 
 /// Points whose offsets from the inner point are summed at once: the coordinates of each block's are x, x, x, x, y, y,
 /// y, y, z, z, z, z. Padding is the offset 0.
@@ -38,6 +39,8 @@ using SumKernel = void (*)(const double* offsets, std::size_t blocks, const doub
 /// The same for processors that have AVX2.
 void SumAvx2(const double* offsets, std::size_t blocks, const double* direction, const Powers& powers, bool with_spread,
              Sums& sums);
+/// Whether this processor, and the system on it, can run AVX2.
+bool HasAvx2();
 
 namespace {
 
@@ -174,4 +177,4 @@ inline void Sum(const double* offsets, std::size_t blocks, const double* directi
 }
 
 }  // namespace
-}  // namespace dgd::dsf_internal
+}  // namespace dgd_test::dsf_internal

@@ -10,26 +10,26 @@
 
 #include "dgd/contact/supporting_face.h"
 #include "dgd/convex_set.h"
-#include "dgd/shapes/support_distance.h"
-#include "dgd/stretch.h"
+#include "support/sets/stretch.h"
+#include "support/sets/support_distance.h"
 
-namespace dgd {
+namespace dgd_test {
 
 /// A x + b for all x of the core. Its support point along d is A S(A^T d) + b, with the core's support point S (eq.
 /// affine-transformation-support-function of the paper). Rotations and translations need not go into A and b, but may:
 /// a set has a pose. Flat faces are not handed on: the image of a disc is an ellipse, so queries about such faces take
 /// cutting planes.
-template <ConvexCore CoreType>
+template <dgd::ConvexCore CoreType>
 class Transformed {
  public:
   using Core = CoreType;
   using Scalar = typename CoreType::Scalar;
 
  private:
-  static constexpr int L = kDimension<CoreType>;
+  static constexpr int L = dgd::kDimension<CoreType>;
   using S = Scalar;
-  using VectorS = Vector<S, L>;
-  using MatrixS = SquareMatrix<S, L>;
+  using VectorS = dgd::Vector<S, L>;
+  using MatrixS = dgd::SquareMatrix<S, L>;
 
  public:
   /// Largest ratio of A's singular values: beyond it, the core's digits are lost. 4e12 in double, 8e3 in float.
@@ -39,9 +39,9 @@ class Transformed {
   /// @param offset  b, metres; finite.
   /// Throws std::invalid_argument otherwise.
   Transformed(CoreType core, const MatrixS& linear, const VectorS& offset)
-      : core_(std::move(core)), linear_(linear), offset_(RequireFinite(offset, "the offset of an affine map")) {
+      : core_(std::move(core)), linear_(linear), offset_(dgd::RequireFinite(offset, "the offset of an affine map")) {
     if (!linear.allFinite()) throw std::invalid_argument("the matrix of an affine map must be finite");
-    const SquareMatrix<double, L> linear_in_double = linear.template cast<double>();
+    const dgd::SquareMatrix<double, L> linear_in_double = linear.template cast<double>();
     const auto [most, least] = StretchOf(linear_in_double);
     if (!(least > 0 && most <= double(kMaxCondition) * least)) {
       throw std::invalid_argument(
@@ -59,35 +59,39 @@ class Transformed {
         std::max(0.0, (1 - kRounding) * least_stretch_ * double(core_.Inradius()) - kRounding * center_size));
   }
 
-  SupportPoint<S, L> Support(const VectorS& direction) const {
+  dgd::SupportPoint<S, L> Support(const VectorS& direction) const {
     return Image(core_.Support(DirectionInCore(direction)));
   }
-  SupportPoint<S, L> Support(const VectorS& direction, FeatureId hint) const requires HintedCore<CoreType> {
+  dgd::SupportPoint<S, L> Support(const VectorS& direction,
+                                  dgd::FeatureId hint) const requires dgd::HintedCore<CoreType> {
     return Image(core_.Support(DirectionInCore(direction), hint));
   }
-  SupportPoint<S, L> GuessSupport(const VectorS& direction) const requires GuessingCore<CoreType> {
+  dgd::SupportPoint<S, L> GuessSupport(const VectorS& direction) const requires dgd::GuessingCore<CoreType> {
     return Image(core_.GuessSupport(DirectionInCore(direction)));
   }
-  bool IsGuessing() const requires GuessingCore<CoreType> { return core_.IsGuessing(); }
+  bool IsGuessing() const requires dgd::GuessingCore<CoreType> { return core_.IsGuessing(); }
   /// See LinkedCore: what rises and leads outwards here does so there.
-  EdgeSlope<S> SteepestAscent(VertexId vertex, const VectorS& up,
-                              const VectorS& outwards) const requires LinkedCore<CoreType> {
+  dgd::EdgeSlope<S> SteepestAscent(dgd::VertexId vertex, const VectorS& up,
+                                   const VectorS& outwards) const requires dgd::LinkedCore<CoreType> {
     return core_.SteepestAscent(vertex, DirectionInCore(up), DirectionInCore(outwards));
   }
-  bool IsLinked() const requires LinkedCore<CoreType> { return core_.IsLinked(); }
+  bool IsLinked() const requires dgd::LinkedCore<CoreType> { return core_.IsLinked(); }
   VectorS Center() const { return Image(VectorS(core_.Center())); }
   S Inradius() const { return inradius_; }
   /// See SpreadCore.
-  MatrixS Spread() const requires SpreadCore<CoreType> { return linear_ * core_.Spread() * linear_.transpose(); }
+  MatrixS Spread() const requires dgd::SpreadCore<CoreType> { return linear_ * core_.Spread() * linear_.transpose(); }
 
-  VectorS Vertex(VertexId vertex) const requires VertexCore<CoreType> { return Image(VectorS(core_.Vertex(vertex))); }
-  VertexId VertexCount() const requires VertexCore<CoreType> { return core_.VertexCount(); }
+  VectorS Vertex(dgd::VertexId vertex) const requires dgd::VertexCore<CoreType> {
+    return Image(VectorS(core_.Vertex(vertex)));
+  }
+  dgd::VertexId VertexCount() const requires dgd::VertexCore<CoreType> { return core_.VertexCount(); }
 
-  CurvedPoint<S, L> PieceSupport(FeatureId piece, const VectorS& direction) const requires SmoothCore<CoreType> {
-    const CurvedPoint<S, L> curved = core_.PieceSupport(piece, DirectionInCore(direction));
+  dgd::CurvedPoint<S, L> PieceSupport(dgd::FeatureId piece,
+                                      const VectorS& direction) const requires dgd::SmoothCore<CoreType> {
+    const dgd::CurvedPoint<S, L> curved = core_.PieceSupport(piece, DirectionInCore(direction));
     return {Image(curved.point), linear_ * curved.derivative * linear_.transpose()};
   }
-  FeatureId PieceCount() const requires SmoothCore<CoreType> { return core_.PieceCount(); }
+  dgd::FeatureId PieceCount() const requires dgd::SmoothCore<CoreType> { return core_.PieceCount(); }
 
   /// Largest <direction, x> over the core.
   S SupportValue(const VectorS& direction) const {
@@ -98,16 +102,16 @@ class Transformed {
   /// where that may be too small, close to the border, never less than what the inner core's own distance makes
   /// certain.
   S Distance(const VectorS& point) const {
-    const Vector<double, L> x = point.template cast<double>();
-    const Vector<double, L> from_offset = x - offset_.template cast<double>();
-    const Vector<double, L> in_core = inverse_ * from_offset;
+    const dgd::Vector<double, L> x = point.template cast<double>();
+    const dgd::Vector<double, L> from_offset = x - offset_.template cast<double>();
+    const dgd::Vector<double, L> in_core = inverse_ * from_offset;
     const double roundoff = 16 * double(std::numeric_limits<S>::epsilon()) * condition_ * from_offset.norm();
     const double at_least = least_stretch_ * double(core_.Distance(in_core.template cast<S>())) - roundoff;
     return static_cast<S>(std::max(SupportDistance<L, Transformed>(*this, x).Find(), at_least));
   }
 
   /// The image of the inner core's face for the same plane.
-  void SupportFace(const VectorS& direction, SupportingFace<S>& face) const requires(L == 3) {
+  void SupportFace(const VectorS& direction, dgd::SupportingFace<S>& face) const requires(L == 3) {
     const int first = face.size;
     core_.SupportFace(DirectionInCore(direction), face);
     for (int i = first; i < face.size; ++i) {
@@ -120,15 +124,17 @@ class Transformed {
  private:
   VectorS DirectionInCore(const VectorS& direction) const { return linear_.transpose() * direction; }
   VectorS Image(const VectorS& point) const { return linear_ * point + offset_; }
-  SupportPoint<S, L> Image(const SupportPoint<S, L>& support) const { return {Image(support.point), support.feature}; }
+  dgd::SupportPoint<S, L> Image(const dgd::SupportPoint<S, L>& support) const {
+    return {Image(support.point), support.feature};
+  }
 
   CoreType core_;
   MatrixS linear_;
   VectorS offset_;
-  SquareMatrix<double, L> inverse_;
+  dgd::SquareMatrix<double, L> inverse_;
   double condition_;
   double least_stretch_;
   S inradius_;
 };
 
-}  // namespace dgd
+}  // namespace dgd_test

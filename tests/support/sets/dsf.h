@@ -13,10 +13,9 @@
 #include "dgd/contact/supporting_face.h"
 #include "dgd/convex_hull.h"
 #include "dgd/convex_set.h"
-#include "dgd/export.h"
 #include "dgd/shapes/hull_queries.h"
 
-namespace dgd {
+namespace dgd_test {
 
 namespace dsf_internal {
 struct Sums;
@@ -24,22 +23,22 @@ struct Sums;
 
 /// The queries of Dsf, computed in double regardless of its scalar.
 /// Frame, units and errors are Dsf's.
-class DGD_EXPORT DsfInDouble {
+class DsfInDouble {
  public:
   using Scalar = double;
 
-  DsfInDouble(const ConvexHull& hull, double exponent);
+  DsfInDouble(const dgd::ConvexHull& hull, double exponent);
 
-  SupportPoint<double> Support(const Eigen::Vector3d& direction) const;
-  CurvedPoint<double> PieceSupport(FeatureId, const Eigen::Vector3d& direction) const;
-  FeatureId PieceCount() const { return 1; }
+  dgd::SupportPoint<double> Support(const Eigen::Vector3d& direction) const;
+  dgd::CurvedPoint<double> PieceSupport(dgd::FeatureId, const Eigen::Vector3d& direction) const;
+  dgd::FeatureId PieceCount() const { return 1; }
   const Eigen::Vector3d& Center() const { return origin_; }
   double Inradius() const { return inradius_; }
   double SupportValue(const Eigen::Vector3d& direction) const;
   double Distance(const Eigen::Vector3d& point) const;
 
  private:
-  CurvedPoint<double> Curve(const Eigen::Vector3d& direction, bool with_derivative) const;
+  dgd::CurvedPoint<double> Curve(const Eigen::Vector3d& direction, bool with_derivative) const;
   /// @param direction  Of which the largest coordinate is 1.
   dsf_internal::Sums SumsAlong(const Eigen::Vector3d& direction, bool with_spread) const;
 
@@ -60,44 +59,46 @@ class Dsf {
   /// @param points    Metres; all finite, in any order, not in one plane; inner and duplicate points are dropped.
   /// @param exponent  p > 2, finite. The set is within a factor of n^(1/p) of the polytope of n vertices.
   /// Throws std::invalid_argument otherwise.
-  Dsf(std::span<const Eigen::Vector3d> points, double exponent) : Dsf(BuildConvexHull(points), exponent) {}
-  Dsf(const ConvexHull& hull, double exponent)
+  Dsf(std::span<const Eigen::Vector3d> points, double exponent) : Dsf(dgd::BuildConvexHull(points), exponent) {}
+  Dsf(const dgd::ConvexHull& hull, double exponent)
       : in_double_(hull, exponent),
-        inradius_(InradiusOfRounded<S>(hull)),
-        spread_(SpreadOfVertices(hull).template cast<S>()) {}
+        inradius_(dgd::InradiusOfRounded<S>(hull)),
+        spread_(dgd::SpreadOfVertices(hull).template cast<S>()) {}
 
-  SupportPoint<S> Support(const Vector3<S>& direction) const {
+  dgd::SupportPoint<S> Support(const dgd::Vector3<S>& direction) const {
     return {in_double_.Support(direction.template cast<double>()).point.template cast<S>(), 0};
   }
   /// The one piece is all of it. No derivative, NaN, for direction 0.
-  CurvedPoint<S> PieceSupport(FeatureId piece, const Vector3<S>& direction) const {
-    const CurvedPoint<double> curved = in_double_.PieceSupport(piece, direction.template cast<double>());
+  dgd::CurvedPoint<S> PieceSupport(dgd::FeatureId piece, const dgd::Vector3<S>& direction) const {
+    const dgd::CurvedPoint<double> curved = in_double_.PieceSupport(piece, direction.template cast<double>());
     return {curved.point.template cast<S>(), curved.derivative.template cast<S>()};
   }
-  FeatureId PieceCount() const { return in_double_.PieceCount(); }
+  dgd::FeatureId PieceCount() const { return in_double_.PieceCount(); }
 
   /// The polytope's centroid.
-  Vector3<S> Center() const { return in_double_.Center().template cast<S>(); }
+  dgd::Vector3<S> Center() const { return in_double_.Center().template cast<S>(); }
   S Inradius() const { return inradius_; }
   /// See SpreadCore.
-  const Matrix3<S>& Spread() const { return spread_; }
+  const dgd::Matrix3<S>& Spread() const { return spread_; }
 
   /// Largest <direction, x> over the core.
-  S SupportValue(const Vector3<S>& direction) const {
+  S SupportValue(const dgd::Vector3<S>& direction) const {
     return static_cast<S>(in_double_.SupportValue(direction.template cast<double>()));
   }
   /// Distance of `point` to the core, metres; 0 inside. By iteration; never too large but for roundoff.
-  S Distance(const Vector3<S>& point) const {
+  S Distance(const dgd::Vector3<S>& point) const {
     return static_cast<S>(in_double_.Distance(point.template cast<double>()));
   }
 
   /// The support point: no face is flat.
-  void SupportFace(const Vector3<S>& direction, SupportingFace<S>& face) const { face.Add(Support(direction).point); }
+  void SupportFace(const dgd::Vector3<S>& direction, dgd::SupportingFace<S>& face) const {
+    face.Add(Support(direction).point);
+  }
 
  private:
   DsfInDouble in_double_;
   S inradius_;
-  Matrix3<S> spread_;
+  dgd::Matrix3<S> spread_;
 };
 
-}  // namespace dgd
+}  // namespace dgd_test

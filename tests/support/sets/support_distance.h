@@ -11,27 +11,27 @@
 #include "dgd/shapes/triangle.h"
 #include "dgd/types.h"
 
-namespace dgd {
+namespace dgd_test {
 
 /// Any direction u of length 1 bounds the distance from below by <u, x> minus the support value. This raises the bound:
 /// by the support points' tetrahedra, as in Gilbert, Johnson and Keerthi 1988, then, where the set is smooth, by Newton
 /// steps of the direction on the sphere.
-template <int L, ConvexCore Core>
+template <int L, dgd::ConvexCore Core>
 class SupportDistance {
  public:
   /// Both outlive this; x in the core's frame, metres.
-  SupportDistance(const Core& core, const Vector<double, L>& x) : core_(core), x_(x) {}
+  SupportDistance(const Core& core, const dgd::Vector<double, L>& x) : core_(core), x_(x) {}
 
   /// Metres; 0 inside. Never too large but for roundoff. Right to some units of roundoff of the extent, but where the
   /// point is nearer than about 1e-8 of it to a sharp curved edge: there it may be too small by 1e-11 of it.
   double Find() {
     ApproachBySimplices();
-    if constexpr (SmoothCore<Core>) PolishDirection();
+    if constexpr (dgd::SmoothCore<Core>) PolishDirection();
     return std::max(bound_, 0.0);
   }
 
  private:
-  using VectorL = Vector<double, L>;
+  using VectorL = dgd::Vector<double, L>;
 
   /// Planes are lifted to z = 0: then one set of features serves.
   static Eigen::Vector3d Lifted(const VectorL& point) {
@@ -40,7 +40,7 @@ class SupportDistance {
     return lifted;
   }
 
-  SupportPoint<typename Core::Scalar, L> Support(const VectorL& direction) const {
+  dgd::SupportPoint<typename Core::Scalar, L> Support(const VectorL& direction) const {
     return core_.Support(direction.template cast<typename Core::Scalar>());
   }
 
@@ -87,7 +87,7 @@ class SupportDistance {
       for (std::size_t left_out = 0; left_out < 4; ++left_out) {
         const std::array<Eigen::Vector3d, 3> face{corners[(left_out + 1) % 4], corners[(left_out + 2) % 4],
                                                   corners[(left_out + 3) % 4]};
-        const Eigen::Vector3d candidate = ClosestPointOnTriangle(x, face[0], face[1], face[2]);
+        const Eigen::Vector3d candidate = dgd::ClosestPointOnTriangle(x, face[0], face[1], face[2]);
         if (!((candidate - x).norm() < least)) continue;
         least = (candidate - x).norm();
         nearest = candidate;
@@ -98,7 +98,7 @@ class SupportDistance {
   }
 
   /// Maximises <u, x> - s(u) over unit u; s'' is the piece's derivative, and the sphere's curvature adds the bound.
-  void PolishDirection() requires SmoothCore<Core> {
+  void PolishDirection() requires dgd::SmoothCore<Core> {
     constexpr int kMaxSteps = 50, kMaxHalvings = 12;
     if (direction_.isZero()) return;
     for (int step = 0; step < kMaxSteps; ++step) {
@@ -109,10 +109,10 @@ class SupportDistance {
       const VectorL gap = x_ - curved.point.template cast<double>();
       const VectorL slope = gap - u * u.dot(gap);
       // Along u, where a step makes no difference, the matrix is the identity.
-      SquareMatrix<double, L> curvature = curved.derivative.template cast<double>() + u * u.transpose();
+      dgd::SquareMatrix<double, L> curvature = curved.derivative.template cast<double>() + u * u.transpose();
       curvature.diagonal().array() += std::max(u.dot(gap), 0.0);
-      SquareMatrix<double, L> inverse;
-      if (!Invert(curvature, inverse)) return;  // Flat, and x not beyond: the bound stays.
+      dgd::SquareMatrix<double, L> inverse;
+      if (!dgd::Invert(curvature, inverse)) return;  // Flat, and x not beyond: the bound stays.
       VectorL move = inverse * slope;
       move -= u * u.dot(move);
       if (!move.allFinite()) return;
@@ -131,4 +131,4 @@ class SupportDistance {
   double bound_ = -std::numeric_limits<double>::infinity();
 };
 
-}  // namespace dgd
+}  // namespace dgd_test

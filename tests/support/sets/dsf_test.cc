@@ -1,4 +1,4 @@
-#include "dgd/shapes/dsf.h"
+#include "support/sets/dsf.h"
 
 #include <cmath>
 #include <limits>
@@ -15,7 +15,7 @@ using Points = std::vector<Vector3d>;
 template <class S>
 void CheckDsf(const Points& points, double exponent) {
   const dgd::ConvexHull hull = dgd::BuildConvexHull(points);
-  CheckShape(dgd::Dsf<S>(points, exponent),
+  CheckShape(Dsf<S>(points, exponent),
              {.type = CoreType::kDsf, .points = hull.vertices, .exponent = exponent, .center = hull.center});
 }
 
@@ -38,7 +38,7 @@ TEST(Dsf, Contract_HoldsForRoundAndSharpOnes) {
 // For a cross-polytope of six unit vertices and even p, the support function is the p-norm itself.
 TEST(Dsf, Support_IsThePNormForTheCrossPolytope) {
   const Points cross = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-  const dgd::Dsf<double> dsf(cross, 4);
+  const Dsf<double> dsf(cross, 4);
   const Vector3d direction(1, -2, 0.5);
   const double norm = std::pow(direction.array().pow(4).sum(), 0.25);
   EXPECT_NEAR(dsf.SupportValue(direction), norm, 1e-15);
@@ -49,7 +49,7 @@ TEST(Dsf, Support_IsThePNormForTheCrossPolytope) {
 }
 
 TEST(Dsf, Support_DoesNotDependOnTheDirectionsLength) {
-  const dgd::Dsf<double> dsf(Tetrahedron(), 100);
+  const Dsf<double> dsf(Tetrahedron(), 100);
   const Vector3d direction(0.3, -0.4, 0.5);
   const dgd::CurvedPoint<double> usual = dsf.PieceSupport(0, direction);
   for (const int power : {-1000, -600, 600, 900}) {
@@ -64,7 +64,7 @@ TEST(Dsf, Set_ContainsThePolytopeAndComesNearIt) {
   const Points points = RandomHull(random, 30, 2, 0).points;
   const dgd::ConvexHull hull = dgd::BuildConvexHull(points);
   for (const double exponent : {3.0, 30.0, 1000.0}) {
-    const dgd::Dsf<double> dsf(points, exponent);
+    const Dsf<double> dsf(points, exponent);
     const double factor = std::pow(static_cast<double>(hull.vertices.size()), 1 / exponent);
     for (const Vector3d& direction : Directions(random)) {
       const double polytope = dgd::SupportValueOf(hull, direction) - direction.dot(hull.center);
@@ -77,12 +77,12 @@ TEST(Dsf, Set_ContainsThePolytopeAndComesNearIt) {
 
 TEST(Dsf, Constructor_RejectsFlatPointsAndBadExponents) {
   const Points flat = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
-  ExpectRejected([&] { return dgd::Dsf<double>(flat, 3); }, "must not be in one plane");
-  ExpectRejected([&] { return dgd::Dsf<double>(flat, 3); }, "dimension 2");
-  ExpectRejected([] { return dgd::Dsf<double>(Tetrahedron(), 2); }, "dsf exponent must be finite and > 2; got 2.0");
-  ExpectRejected([] { return dgd::Dsf<double>(Tetrahedron(), std::numeric_limits<double>::quiet_NaN()); }, "nan");
-  ExpectRejected([] { return dgd::Dsf<double>(Tetrahedron(), std::numeric_limits<double>::infinity()); }, "inf");
-  ExpectRejected([] { return dgd::Dsf<double>(Points{}, 3); }, "at least one point");
+  ExpectRejected([&] { return Dsf<double>(flat, 3); }, "must not be in one plane");
+  ExpectRejected([&] { return Dsf<double>(flat, 3); }, "dimension 2");
+  ExpectRejected([] { return Dsf<double>(Tetrahedron(), 2); }, "dsf exponent must be finite and > 2; got 2.0");
+  ExpectRejected([] { return Dsf<double>(Tetrahedron(), std::numeric_limits<double>::quiet_NaN()); }, "nan");
+  ExpectRejected([] { return Dsf<double>(Tetrahedron(), std::numeric_limits<double>::infinity()); }, "inf");
+  ExpectRejected([] { return Dsf<double>(Points{}, 3); }, "at least one point");
 }
 
 }  // namespace

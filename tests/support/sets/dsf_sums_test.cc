@@ -1,4 +1,4 @@
-#include "dsf_sums.h"
+#include "support/sets/dsf_sums.h"
 
 #include <gtest/gtest.h>
 
@@ -6,16 +6,15 @@
 #include <cstring>
 #include <vector>
 
-#include "dgd/shapes/vertex_scan_kernels.h"
 #include "support/random_sets.h"
 
 namespace dgd_test {
 namespace {
 
-using dgd::dsf_internal::kBlock;
-using dgd::dsf_internal::kLanes;
-using dgd::dsf_internal::Powers;
-using dgd::dsf_internal::Sums;
+using dsf_internal::kBlock;
+using dsf_internal::kLanes;
+using dsf_internal::Powers;
+using dsf_internal::Sums;
 
 Powers PowersOf(double exponent) {
   const bool is_whole = exponent == std::floor(exponent);
@@ -37,7 +36,7 @@ struct Offsets {
 
 Sums SumsOf(const Offsets& offsets, const Eigen::Vector3d& direction, const Powers& powers) {
   Sums sums;
-  dgd::dsf_internal::Sum(offsets.coordinates.data(), offsets.Blocks(), direction.data(), powers, true, sums);
+  dsf_internal::Sum(offsets.coordinates.data(), offsets.Blocks(), direction.data(), powers, true, sums);
   return sums;
 }
 
@@ -71,7 +70,7 @@ TEST(DsfSums, AreThoseOfThePowersInExtendedPrecision) {
 }
 
 TEST(DsfSums, AreTheSameBitsOnAllProcessors) {
-  if (!dgd::vertex_scan::HasAvx2()) GTEST_SKIP() << "this processor has no AVX2: there is nothing to compare";
+  if (!dsf_internal::HasAvx2()) GTEST_SKIP() << "this processor has no AVX2: there is nothing to compare";
   Random random(TestSeed());
   for (const double exponent : {2.5, 12.0, 40.7}) {
     const Powers powers = PowersOf(exponent);
@@ -80,7 +79,7 @@ TEST(DsfSums, AreTheSameBitsOnAllProcessors) {
       const Eigen::Vector3d direction = random.UnitVector();
       const Sums sums = SumsOf(offsets, direction, powers);
       Sums wide;
-      dgd::dsf_internal::SumAvx2(offsets.coordinates.data(), blocks, direction.data(), powers, true, wide);
+      dsf_internal::SumAvx2(offsets.coordinates.data(), blocks, direction.data(), powers, true, wide);
       EXPECT_EQ(std::memcmp(&sums, &wide, sizeof sums), 0) << exponent << " " << blocks;
     }
   }

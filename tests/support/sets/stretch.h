@@ -1,10 +1,9 @@
 // The greatest and the least stretch of a linear map.
 #pragma once
 
-#include "dgd/export.h"
 #include "dgd/types.h"
 
-namespace dgd {
+namespace dgd_test {
 
 /// The greatest and the least length that a vector of unit length is given: the largest and the smallest singular
 /// value. Dimensionless, most >= least >= 0.
@@ -16,7 +15,7 @@ struct Stretch {
 /// compiler 2 seconds in each file that has it.
 /// @param linear  Finite.
 /// Does not allocate or throw.
-DGD_EXPORT Stretch StretchOf(const SquareMatrix<double, 2>& linear);
-DGD_EXPORT Stretch StretchOf(const SquareMatrix<double, 3>& linear);
+Stretch StretchOf(const dgd::SquareMatrix<double, 2>& linear);
+Stretch StretchOf(const dgd::SquareMatrix<double, 3>& linear);
 
-}  // namespace dgd
+}  // namespace dgd_test
