@@ -88,7 +88,7 @@ std::optional<ConicSet> ConicSetOf(const dgd::Cone<double>& core, double radius)
   ConicSet set;
   const double half_height = core.SupportValue(Vector3d::UnitZ());
   AddCap(set, -half_height, -1);
-  const double base_radius = core.PieceSupport(1, Vector3d::UnitX()).point.x();
+  const double base_radius = core.PieceSupport(0, Vector3d::UnitX()).point.x();
   SetSide(set, base_radius / 2, base_radius / (2 * half_height));
   return Completed(std::move(set), core, radius);
 }

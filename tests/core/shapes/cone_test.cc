@@ -26,9 +26,10 @@ TEST(Cone, Contract_HoldsForAllProportions) {
 
 // The largest ball about the centroid, by the distance to the base and to the side.
 TEST(Cone, Inradius_IsTheLargestBallAboutTheCentroid) {
-  EXPECT_NEAR(dgd::Cone<double>(3, 4).Inradius(), 1, 1e-15);  // The base is nearer.
+  EXPECT_NEAR(dgd::Cone<double>(3, 4).Inradius(), 1, 4e-15);  // The base is nearer. Never above, for roundoff.
+  EXPECT_LE(dgd::Cone<double>(3, 4).Inradius(), 1);
   EXPECT_NEAR(dgd::Cone<double>(0.3, 0.4).Inradius(), 0.1, 1e-15);
-  EXPECT_NEAR(dgd::Cone<double>(5, 12 * 4).Inradius(), 36 * 5 / std::hypot(5.0, 48.0), 1e-14);  // The side is.
+  EXPECT_NEAR(dgd::Cone<double>(5, 12 * 4).Inradius(), 36 * 5 / std::hypot(5.0, 48.0), 2e-14);  // The side is.
   EXPECT_EQ(dgd::Cone<double>(0, 1).Inradius(), 0);
   EXPECT_EQ(dgd::Cone<double>(1, 0).Inradius(), 0);
   EXPECT_EQ(dgd::Cone<double>(0, 0).Inradius(), 0);

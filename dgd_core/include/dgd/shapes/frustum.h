@@ -39,10 +39,11 @@ class Frustum {
     return RimSupport(direction, top_radius_, height_ / 2);
   }
   FeatureId PieceCount() const { return 2; }
-  /// See FacedCore: both rims bound discs.
+  /// See FacedCore: both rims bound discs, unless they are a point.
   FlatDisc<S> Face(FeatureId piece) const {
-    if (piece == 0) return {{0, 0, -1}, {0, 0, -height_ / 2}, base_radius_};
-    return {{0, 0, 1}, {0, 0, height_ / 2}, top_radius_};
+    const S side = piece == 0 ? S(-1) : S(1), radius = piece == 0 ? base_radius_ : top_radius_;
+    if (radius == 0) return {};
+    return {{0, 0, side}, {0, 0, side * (height_ / 2)}, radius};
   }
 
   /// The centroid.
@@ -87,10 +88,12 @@ class Frustum {
     const S lateral = std::hypot(direction.x(), direction.y());
     const S facing_side =
         slant_ > 0 ? (height_ * lateral + (base_radius_ - top_radius_) * direction.z()) / slant_ : S(0);
-    // Of the two discs the one that the support point is on: the other may face `direction` and yet lie lower.
+    // The disc is the one that the support point is on: the other may face `direction` and yet lie lower.
     const bool is_top = Support(direction).feature == 1;
-    if ((is_top ? direction.z() : -direction.z()) >= facing_side) {
-      AddDisc(direction, is_top ? top_radius_ : base_radius_, is_top ? height_ / 2 : -height_ / 2, face);
+    const S radius = is_top ? top_radius_ : base_radius_;
+    // A tip is not flat: the line from it down the side stands for it.
+    if (radius > 0 && (is_top ? direction.z() : -direction.z()) >= facing_side) {
+      AddDisc(direction, radius, is_top ? height_ / 2 : -height_ / 2, face);
     } else {
       face.Add(DiscSupport(direction, base_radius_, -height_ / 2));
       face.Add(DiscSupport(direction, top_radius_, height_ / 2));
@@ -98,7 +101,7 @@ class Frustum {
   }
 
  private:
-  /// Of the centroid above the base. Radii as parts of the larger one, whose square may underflow.
+  /// Height of the centroid above the base. Radii count as parts of the larger one, whose square may underflow.
   S CentroidHeight() const {
     const S larger = std::max(base_radius_, top_radius_);
     if (!(larger > 0)) return height_ / 2;
