@@ -14,7 +14,7 @@ namespace dgd::vertex_scan {
 inline constexpr std::size_t kBlockBytes = 64;
 
 /// Index of the point with the greatest x * direction_x + y * direction_y + z * direction_z, summed in this order, each
-/// operation rounded; the first one of several. 0 where no height is a number. All kernels give the same answer.
+/// operation rounded; the first one of several. 0 where no height is a number. All kernels give the same index.
 /// @param coordinates  Three arrays one after the other, of `padded` scalars each; no alignment needed.
 /// @param padded       A multiple of kBlockBytes / sizeof(scalar), > 0; in float below 2^24, up to which it counts.
 template <class S>
@@ -23,7 +23,7 @@ using FarthestKernel = std::uint32_t (*)(const S* coordinates, std::size_t padde
 std::uint32_t FarthestSse2(const double* coordinates, std::size_t padded, double x, double y, double z);
 std::uint32_t FarthestSse2(const float* coordinates, std::size_t padded, float x, float y, float z);
 
-/// For processors with HasAvx2().
+/// The same for processors with HasAvx2().
 std::uint32_t FarthestAvx2(const double* coordinates, std::size_t padded, double x, double y, double z);
 std::uint32_t FarthestAvx2(const float* coordinates, std::size_t padded, float x, float y, float z);
 
@@ -38,7 +38,7 @@ void PlaceSse2(const double* coordinates, std::size_t padded, const double* cent
                double* placed);
 void PlaceSse2(const float* coordinates, std::size_t padded, const float* center, const float* matrix, float* placed);
 
-/// For processors with HasAvx2().
+/// The same for processors with HasAvx2().
 void PlaceAvx2(const double* coordinates, std::size_t padded, const double* center, const double* matrix,
                double* placed);
 void PlaceAvx2(const float* coordinates, std::size_t padded, const float* center, const float* matrix, float* placed);
