@@ -23,7 +23,7 @@ bool IsProvenApart(const ConvexBody& first, const dgd::Pose<double>& pose_1, con
   const dgd::Result<double> result = SolveGrowthDistance(first, pose_1, second, pose_2);
   return first.set().Visit([&]<class Set1>(const Set1& set_1) {
     return second.set().Visit([&]<class Set2>(const Set2& set_2) {
-      if constexpr (dgd::MeasurableCore<typename Set1::Core> && dgd::MeasurableCore<typename Set2::Core>) {
+      if constexpr (dgd::CertifiableCore<typename Set1::Core> && dgd::CertifiableCore<typename Set2::Core>) {
         const dgd::Certificate certificate = dgd::Certify(set_1, pose_1, set_2, pose_2, result);
         return certificate.Holds(kCertificateLength, kCertificateGap) && certificate.proven_lower_bound > 1;
       } else {

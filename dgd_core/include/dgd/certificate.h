@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <concepts>
 #include <limits>
 
 #include "dgd/convex_set.h"
@@ -12,12 +11,6 @@
 #include "dgd/types.h"
 
 namespace dgd {
-
-/// A core that can tell how far a point lies outside it.
-template <class Core>
-concept MeasurableCore = ConvexCore<Core> && requires(const Core& core, const VectorOf<Core>& point) {
-  { core.Distance(point) } -> std::convertible_to<typename Core::Scalar>;
-};
 
 /// What a result is worth. Optimal means both infeasibilities and the gap vanish; all are non-negative, and NaN or
 /// infinite where the result holds such.
@@ -63,13 +56,7 @@ class PosedSet {
   /// Largest <direction, x - center> over the set.
   double SupportAboutCenter(const Point& direction) const {
     const Point local = rotation_.transpose() * direction;
-    const VectorOf<Core> local_direction = local.template cast<S>();
-    if constexpr (CertifiableCore<Core>) {
-      return double(set_.core.SupportValue(local_direction)) - local.dot(local_center_) + double(set_.radius);
-    } else {
-      const VectorOf<Core> support = set_.core.Support(local_direction).point;
-      return local.dot(support.template cast<double>() - local_center_) + double(set_.radius);
-    }
+    return double(set_.core.SupportValue(local.template cast<S>())) - local.dot(local_center_) + double(set_.radius);
   }
 
   /// Distance of a world point from a set, 0 inside.
@@ -90,7 +77,7 @@ class PosedSet {
 
 /// Certificate of `result` for the two sets in their poses, which must be those of the query.
 template <class Set1, class Set2>
-requires MeasurableCore<typename Set1::Core> && MeasurableCore<typename Set2::Core> Certificate
+requires CertifiableCore<typename Set1::Core> && CertifiableCore<typename Set2::Core> Certificate
 Certify(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2, const PoseOf<Set1>& pose_2,
         const ResultOf<Set1>& result) {
   const certificate_internal::PosedSet<Set1> posed_1(set_1, pose_1);
@@ -109,7 +96,7 @@ Certify(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2, const 
   const double infeasibilities[] = {(scaled_1 - scaled_2).norm(), posed_1.Distance(witness_1),
                                     posed_2.Distance(witness_2)};
   for (const double infeasibility : infeasibilities) {
-    // Not std::max, which drops a NaN; and once NaN, it stays so.
+    // std::max drops a NaN; this stays NaN.
     if (std::isnan(certificate.primal_infeasibility)) break;
     if (!(infeasibility <= certificate.primal_infeasibility)) certificate.primal_infeasibility = infeasibility;
   }

@@ -16,7 +16,7 @@ namespace dgd {
 /// Apart, it is a proof: planes as far apart as the result says keep the sets from being nearer, and two points of them
 /// are no farther apart than that. Overlapping, the same planes and points show that the reported translation is enough
 /// and that none along this normal is less; that no normal nearby has a smaller one is sampled, and of normals
-/// elsewhere nothing is said.
+/// elsewhere nothing is proven.
 struct SignedDistanceCertificate {
   /// Distance of each witness point to its own set, the larger one; metres.
   double primal_infeasibility = 0;
@@ -40,7 +40,7 @@ struct SignedDistanceCertificate {
 
 /// Certificate of `result` for the two sets in their poses, which must be those of the query.
 template <class Set1, class Set2>
-requires MeasurableCore<typename Set1::Core> && MeasurableCore<typename Set2::Core> SignedDistanceCertificate
+requires CertifiableCore<typename Set1::Core> && CertifiableCore<typename Set2::Core> SignedDistanceCertificate
 Certify(const Set1& set_1, const PoseOf<Set1>& pose_1, const Set2& set_2, const PoseOf<Set1>& pose_2,
         const SignedDistanceResult<typename Set1::Scalar>& result) {
   using Point = Vector3<double>;

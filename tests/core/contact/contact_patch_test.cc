@@ -159,45 +159,5 @@ TEST(ContactPatch, EqualDepthNaN_TheDeepestCornerIsKept) {
   EXPECT_NEAR(patch.points[0].separation, -0.001, kTolerance);
 }
 
-// A lowered disc of sixteen corners over half of a box's top: what is beside the top is over nothing.
-TEST(FacingFaces, CornerAt_IsOverTheOtherFaceOrNowhere) {
-  const dgd::RoundedSet box{dgd::Box<double>({1, 1, 0.5})};
-  const dgd::RoundedSet cylinder{dgd::Cylinder<double>(0.5, 0.25)};
-  const dgd::Pose<double> above = At({0.8, 0, 0.74});
-  const dgd::Result<double> result =
-      AnyPair<double, 3>(Erase(box), At({0, 0, 0}), Erase(cylinder), above).GrowthDistance();
-  dgd::Result<double> upright = result;
-  upright.normal = Vector3d::UnitZ();
-  const auto facing = dgd::FindFacingFaces(box, At({0, 0, 0}), cylinder, above, upright, kAngularTolerance);
-  const auto corner_at = [&](const Vector3d& point, bool is_of_1) {
-    return facing.CornerAt(facing.frame.FromWorld(point), is_of_1);
-  };
-  const auto on_rim = corner_at({0.8, 0.5, 0.49}, false);
-  ASSERT_TRUE(on_rim.has_value());
-  EXPECT_NEAR(on_rim->Separation(), -0.01, kTolerance);
-  EXPECT_FALSE(corner_at({1.2, 0.3, 0.49}, false).has_value());
-  const auto on_top = corner_at({0.9, 0.2, 0.6}, true);
-  ASSERT_TRUE(on_top.has_value());
-  EXPECT_NEAR(on_top->Separation(), -0.11, kTolerance);
-  EXPECT_FALSE(corner_at({0.2, 0, 0.5}, true).has_value());
-}
-
-// Of boxes on each other the middle of the common part counts, and how far it is from the nearer border of either face.
-TEST(FacingFaces, IsInset_ByTheMiddleOfTheOverlap) {
-  const dgd::RoundedSet box{dgd::Box<double>({1, 1, 0.5})};
-  const auto facing_at = [&](double offset) {
-    const dgd::Pose<double> above = At({offset, 0, 1});
-    dgd::Result<double> upright = dgd::GrowthDistance(box, At({0, 0, 0}), box, above);
-    upright.normal = Vector3d::UnitZ();
-    return dgd::FindFacingFaces(box, At({0, 0, 0}), box, above, upright, kAngularTolerance);
-  };
-  const auto half_over = facing_at(1);
-  EXPECT_TRUE(half_over.IsInset(0.49));
-  EXPECT_FALSE(half_over.IsInset(0.51));
-  const auto flush = facing_at(2 - 2e-6);  // Face to face with what is all but next to it.
-  EXPECT_FALSE(flush.IsInset(1e-5));
-  EXPECT_FALSE(facing_at(2.1).IsInset(0)) << "nothing overlaps";
-}
-
 }  // namespace
 }  // namespace dgd_test

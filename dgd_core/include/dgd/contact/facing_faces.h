@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "dgd/assert.h"
 #include "dgd/contact/supporting_face.h"
@@ -140,7 +139,7 @@ bool ClipByLine(const Vector3<S>& a, const Vector3<S>& b, S orientation, const C
   for (int i = 0; i < subject.size; ++i) {
     const S side = dx * (subject[i].y - a.y()) - dy * (subject[i].x - a.x());
     sides[static_cast<std::size_t>(i)] = side;
-    is_inside &= side >= 0;  // Without a branch for each.
+    is_inside &= side >= 0;  // There is no branch for each.
   }
   if (is_inside) return false;
   clipped.size = 0;
@@ -163,8 +162,8 @@ bool ClipByLine(const Vector3<S>& a, const Vector3<S>& b, S orientation, const C
   return true;
 }
 
-/// The overlap of a face (polygon, segment or point) with a polygon. `subject_is_1` tells whose heights the subject
-/// carries; the other ones come from the polygon's plane.
+/// The overlap of a face (polygon, segment or point) with a polygon. The subject carries set 1's heights if
+/// `subject_is_1`, else set 2's; the other ones come from the polygon's plane.
 template <class S>
 void ClipByPolygon(const ProjectedFace<S>& subject, bool subject_is_1, const ProjectedFace<S>& polygon,
                    CornerList<S>& overlap) {
@@ -186,20 +185,6 @@ void ClipByPolygon(const ProjectedFace<S>& subject, bool subject_is_1, const Pro
   if (current == &overlap) return;
   overlap.size = 0;
   for (int i = 0; i < current->size; ++i) overlap.Add((*current)[i]);
-}
-
-/// Whether a point seen along the normal is in a polygon, at least `inset` from each of its edges.
-template <class S>
-bool IsInsideBy(const SupportingFace<S>& face, S x, S y, S inset) {
-  if (face.size < 3) return false;
-  const S orientation = face.Area().z() > 0 ? S(1) : S(-1);
-  const auto size = static_cast<std::size_t>(face.size);
-  for (std::size_t i = 0; i < size; ++i) {
-    const Vector3<S>&a = face.points[i], &b = face.points[i + 1 < size ? i + 1 : 0];
-    const S dx = b.x() - a.x(), dy = b.y() - a.y();
-    if (!(orientation * (dx * (y - a.y()) - dy * (x - a.x())) >= inset * std::hypot(dx, dy))) return false;
-  }
-  return true;
 }
 
 /// The common part of two nearly parallel segments: its two ends, half way between the surfaces there.
@@ -277,31 +262,6 @@ struct FacingFaces {
       if (nearest == nullptr || overlap[i].Separation() < nearest->Separation()) nearest = &overlap[i];
     }
     return nearest;
-  }
-
-  /// Whether the middle of the overlap is at least `inset` (metres, across the normal) from the border of a face that
-  /// is across the normal: sets that move past each other by less still face each other there.
-  bool IsInset(S inset) const {
-    if (overlap.size == 0) return false;
-    S x = 0, y = 0;
-    for (int i = 0; i < overlap.size; ++i) {
-      x += overlap[i].x / S(overlap.size);
-      y += overlap[i].y / S(overlap.size);
-    }
-    return (is_across_1 && facing_faces_internal::IsInsideBy(face_1, x, y, inset)) ||
-           (is_across_2 && facing_faces_internal::IsInsideBy(face_2, x, y, inset));
-  }
-
-  /// The corner over a point of one set's surface and the face of the other that is across the normal; nothing beside
-  /// that face, or if it is not across.
-  /// @param point  Of set 1 if `is_of_1`, else of set 2; in the frame, metres.
-  std::optional<Corner<S>> CornerAt(const Vector3<S>& point, bool is_of_1) const {
-    using namespace facing_faces_internal;
-    if (!(is_of_1 ? is_across_2 : is_across_1)) return std::nullopt;
-    const ProjectedFace<S> face(is_of_1 ? face_2 : face_1, S(0));
-    if (!IsInsideBy(face.Face(), point.x(), point.y(), S(0))) return std::nullopt;
-    const S height = face.Height(point.x(), point.y());
-    return Corner<S>{point.x(), point.y(), is_of_1 ? point.z() : height, is_of_1 ? height : point.z()};
   }
 
   PatchFrame<S> frame;
