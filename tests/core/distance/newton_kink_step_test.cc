@@ -10,6 +10,7 @@
 #include <limits>
 #include <vector>
 
+#include "dgd/shapes/ellipsoid.h"
 #include "dgd/solver/minkowski_difference.h"
 
 namespace dgd_test {
@@ -66,6 +67,34 @@ TEST(KinkStep, OneBall_ItsOwnNormal) {
   const Point center(0.3, -0.4, -2);
   const Point normal = Converge({{center, 0.5}}, Point(0.2, 0.1, 1).normalized(), 6);
   EXPECT_NEAR((normal + center.normalized()).norm(), 0, 1e-14);
+}
+
+/// Of an ellipsoid about `center`, at a unit normal.
+dgd::NormalStep<double> StepOn(const Point& semi_axes, const Point& center, const Point& normal) {
+  const dgd::CurvedPoint<double> curved = dgd::Ellipsoid<double>(semi_axes).PieceSupport(0, normal);
+  const Eigen::Matrix<double, 2, 3> tangents = TangentsAt(normal);
+  dgd::PieceModels<double> pieces;
+  pieces[pieces.size++] = {curved.point + center, tangents * curved.derivative * tangents.transpose(), 1};
+  return dgd::StepOnKink(Kink(normal, pieces).model);
+}
+
+TEST(KinkStep, OneEllipsoid_ConvergesQuadratically) {
+  const Point semi_axes(1, 2, 0.5), center(3, -4, 2);
+  Point normal = -center.normalized();
+  double last_gain = 1;
+  for (int i = 0; i < 8; ++i) {
+    const dgd::NormalStep<double> step = StepOn(semi_axes, center, normal);
+    ASSERT_TRUE(step.is_valid);
+    EXPECT_GE(step.gain, 0);
+    EXPECT_NEAR(step.next.norm(), 1, 1e-15);
+    if (i > 3) {
+      EXPECT_LE(step.gain, 0.01 * last_gain + 1e-15);
+    }
+    last_gain = step.gain;
+    normal = step.next;
+  }
+  const Point nearest = dgd::Ellipsoid<double>(semi_axes).Support(normal).point + center;
+  EXPECT_NEAR((nearest.normalized() + normal).norm(), 0, 1e-12);
 }
 
 TEST(KinkStep, TwoBalls_LevelAndAcrossTheOrigin) {

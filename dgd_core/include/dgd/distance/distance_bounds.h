@@ -33,8 +33,7 @@ struct DistanceBounds {
     S height = std::numeric_limits<S>::infinity();  ///< Over the origin; metres.
     Feature support;                                ///< A point on it, if it was met by Cut().
     bool has_support = false;
-    bool is_new = false;         ///< No Newton's step was taken from it yet.
-    bool is_stationary = false;  ///< Its normal is the best nearby.
+    bool is_new = false;  ///< No Newton's step was taken from it yet.
   };
 
   template <class Set1, class Set2>
@@ -85,7 +84,6 @@ struct DistanceBounds {
       best.height = height;
       best.support = support;
       best.has_support = best.is_new = true;
-      best.is_stationary = false;
     }
     return support;
   }

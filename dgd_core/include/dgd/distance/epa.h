@@ -150,7 +150,7 @@ class EpaPolytope {
     if (replaced == face_count_) return false;
     // A surface without holes has room for as many faces as its points can make; one that roundoff has torn may not.
     if (face_count_ - replaced + hole.rim_size > kMaxFaces) return false;
-    // In descending order: the last face, which takes a replaced one's place, stays.
+    // The order descends, so that the last face, which takes a replaced one's place, stays.
     std::sort(visible.faces.begin(), visible.faces.begin() + replaced, std::greater<>());
     for (std::size_t i = 0; i < replaced; ++i) faces_[visible.faces[i]] = faces_[--face_count_];
     points_[size_] = added;

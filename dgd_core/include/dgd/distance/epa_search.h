@@ -3,11 +3,11 @@
 //
 //  * Every face of K that holds the origin's foot is a local minimum, and nothing but an inner approximation all around
 //    finds the least of them: an expanding polytope. Its nearest face bounds the depth from below, supporting planes
-//    from above; faces behind the best of these, which begins with the growth distance's, are not looked at.
-//  * The inner approximation of a curved set alone converges linearly: between its points, Newton's steps are taken
-//    from the best plane (newton_step.h); and once no normal elsewhere can be much better, down to the best nearby,
-//    be it on a kink (local_minimum.h). What is left is to look at the faces elsewhere. A deep overlap may need more
-//    points than the polytope has room for: then it is begun from scratch, at a smaller scale.
+//    from above; faces behind the best of these, which begins with the growth distance's, are left out.
+//  * The inner approximation of a curved set alone converges linearly: once no normal elsewhere can be much better,
+//    Newton's steps go down to the best nearby, be it on a kink (local_minimum.h). What is left are the faces
+//    elsewhere. A deep overlap may need more points than the polytope has room for: then it is begun from scratch, at
+//    a smaller scale.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -23,7 +23,6 @@
 #include "dgd/distance/epa.h"
 #include "dgd/distance/gjk_simplex.h"
 #include "dgd/distance/local_minimum.h"
-#include "dgd/distance/newton_step.h"
 #include "dgd/inlining.h"
 #include "dgd/query_types.h"
 
@@ -57,14 +56,15 @@ class EpaSearch {
     return RunFrom(corners);
   }
 
-  /// With the origin inside K.
+  /// Searches about an origin inside K.
+  /// @param corners  Of a tetrahedron that holds the origin.
   DGD_NOINLINE Status RunFrom(const std::array<Feature, 4>& corners) {
-    if constexpr (Difference::kIsSmooth) StartNewtonFromBestPlane();
+    if constexpr (Difference::kIsSmooth) FindSupportOfBestPlane();
     EpaPolytope<S> polytope(corners, bounds_.SupportError(), bounds_.size);
     return RunEpa(polytope);
   }
 
-  /// The same with a polytope that is there already.
+  /// The same from a polytope.
   DGD_FLATTEN DGD_NOINLINE Status RunEpa(EpaPolytope<S>& polytope) {
     bounds_.nearest = std::numeric_limits<S>::infinity();
     const auto finish = [&](Status status) {
@@ -76,7 +76,6 @@ class EpaSearch {
       const auto* face = &polytope.Nearest();
       bounds_.nearest = std::min(bounds_.nearest, -polytope.Inradius());
       if (bounds_.IsOptimal()) return finish(Status::kOptimal);
-      if (best_.is_stationary && IsBestElsewhere()) return finish(Status::kOptimal);
       if constexpr (Difference::kIsSmooth) {
         if (const auto& minimum = FindMinimum(polytope)) {
           face = polytope.NearestAside(minimum->plane.normal, kNearby);
@@ -85,15 +84,13 @@ class EpaSearch {
       }
       if (bounds_.IsExhausted()) return finish(Status::kIterationLimit);
       if (polytope.IsSliver(*face)) return finish(Status::kStalled);
-      const Point own = face->normal;
-      const Point normal = NextNormal(own);
-      const Feature support = bounds_.Cut(normal);
+      const Feature support = bounds_.Cut(face->normal);
       if (Difference::kIsPolytope && bounds_.IsOptimal()) return finish(Status::kOptimal);
       if (polytope.Add(support)) continue;
       if constexpr (!Difference::kIsPolytope) {
         if (polytope.IsFull()) return Refine(polytope);
       }
-      if (normal == own) return finish(Status::kStalled);
+      return finish(Status::kStalled);
     }
   }
 
@@ -105,9 +102,8 @@ class EpaSearch {
   }
 
  private:
-  /// Leaves the best plane to Newton's first step, which needs a support point: the growth distance's plane has none.
-  void StartNewtonFromBestPlane() requires(Difference::kIsSmooth) {
-    best_.is_new = true;
+  /// Newton's steps begin at the best plane's support point, which the growth distance's plane does not have.
+  void FindSupportOfBestPlane() requires(Difference::kIsSmooth) {
     if (best_.has_support) return;
     const Point normal = best_.normal;
     best_.height = std::numeric_limits<S>::infinity();
@@ -132,14 +128,14 @@ class EpaSearch {
   /// Whether a local minimum was found, and no plane since then is better.
   bool HasMinimum() const { return minimum_ && !(best_.height < minimum_->plane.height - bounds_.Tolerance()); }
 
-  /// With a normal that is the best nearby, and none elsewhere much better. Another plane may be better by less than
-  /// the tolerance, and far away: its foot is not this one's.
+  /// Ends at a local minimum. Another plane may be better by less than the tolerance, and far away: its foot is not
+  /// this one's.
   Status FinishAt(const LocalMinimum<Bounds>& minimum) {
     best_ = minimum.plane;
     return bounds_.Finish(Status::kOptimal, minimum.foot);
   }
 
-  /// With the origin inside K: whether no normal elsewhere is much better.
+  /// Whether no normal elsewhere is much better.
   bool IsBestElsewhere() const { return best_.height + bounds_.nearest <= kElsewhere * best_.height; }
 
   /// Finds a point of K off the affine hull of the first `size` corners, in one of the directions across that.
@@ -149,7 +145,7 @@ class EpaSearch {
     // Squares of a tiny K's lengths may not be finite.
     const auto towards = [&](std::size_t i) -> Point { return (corners[i].point - a).stableNormalized(); };
     Matrix3<S> axes;
-    int first = 0, last = 2;  // Of the columns that are across.
+    int first = 0, last = 2;  // Columns that are across.
     if (size == 1) {
       axes = FrameAlong<S>(best_.normal);
     } else if (size == 2) {
@@ -169,25 +165,9 @@ class EpaSearch {
     return false;
   }
 
-  /// Newton's step from a plane that is the best since the last one, else the inner approximation's normal.
-  Point NextNormal(const Point& inner_normal) {
-    if constexpr (Difference::kIsSmooth) {
-      if (best_.is_new && best_.has_support) {
-        best_.is_new = false;
-        const auto tangents = Bounds::TangentsAt(best_.normal);
-        const auto piece =
-            bounds_.difference.AlongTangents(best_.support.feature_1, best_.support.feature_2, best_.normal, tangents);
-        const NormalStep<S> step = StepFrom<S>(best_.normal, best_.support.point, tangents, piece.derivative);
-        best_.is_stationary = step.is_valid && step.gain <= bounds_.RoundoffBound();
-        if (step.is_valid && !best_.is_stationary) return step.next;
-      }
-    }
-    return inner_normal;
-  }
-
-  /// The expanding polytope has no room for as many points as a curved set may ask for. A normal that is the best
-  /// nearby ends the search if none elsewhere is much better. Else others take the polytope's place, of the best
-  /// plane's surroundings alone, which are narrowed down from one to the next.
+  /// The expanding polytope has no room for as many points as a curved set may need. A normal that is the best nearby
+  /// ends the search if none elsewhere is much better. Else other polytopes take its place, of the best plane's
+  /// surroundings alone, which are narrowed down from one to the next.
   DGD_NOINLINE Status Refine(const EpaPolytope<S>& polytope) {
     const Point target = best_.height * best_.normal;
     const GjkSimplex<S> triangle = polytope.TriangleNearestTo(target);
@@ -199,7 +179,7 @@ class EpaSearch {
     of_inner.point += target;
     constexpr int kMaxRounds = 8;
     constexpr S kNarrower = 4;
-    // By which a border that curves as a ball of K's size recedes by the gap, and some more.
+    // At this angle, a border that curves as a ball of K's size has receded by the gap, and some more.
     S tilt = std::min(kWidest, 2 * std::sqrt((bounds_.nearest + best_.height) / bounds_.size));
     for (int round = 0; round < kMaxRounds; ++round) {
       switch (RunEpaNearby(tilt, of_inner)) {
@@ -219,16 +199,16 @@ class EpaSearch {
 
   enum class Nearby {
     kClosed,     ///< No normal nearby is better.
-    kFull,       ///< Once more, nearer.
+    kFull,       ///< The polytope has no room: the next one is to be narrower.
     kTooNarrow,  ///< The points differ by roundoff alone, or the best normal is beyond them.
-    kExhausted,  ///< Of evaluations.
+    kExhausted,  ///< No evaluations are left.
   };
 
   /// An expanding polytope about the best plane: a triangle of K there, whose normals are `tilt` radians aside, and the
   /// point of K that is farthest behind it. Faces that look elsewhere are none of K's, and of no account.
   DGD_NOINLINE Nearby RunEpaNearby(S tilt, Feature& of_inner) {
-    // Cosine to the best plane's normal: the triangle's faces look at most kWidest aside, those to the point behind it
-    // about at right angles.
+    // Cosine to the best plane's normal: the triangle's faces are turned at most kWidest aside, those to the point
+    // behind it about at right angles.
     constexpr S kAside = S(0.7);
     const Point middle = best_.normal;
     const Matrix3<S> axes = FrameAlong<S>(middle);
@@ -256,8 +236,8 @@ class EpaSearch {
   }
 
   Bounds& bounds_;
-  typename Bounds::Plane& best_;         // Of the bounds.
-  std::optional<WarmStart<S>> corners_;  // Of the expanding polytope, at its end; of polytopes.
+  typename Bounds::Plane& best_;         // The bounds' best plane.
+  std::optional<WarmStart<S>> corners_;  // Points of the expanding polytope at its end, for polytopes.
   std::optional<LocalMinimum<Bounds>> minimum_;
   bool may_descend_ = true;  // No descent was tried, or a better plane has turned up since.
 
@@ -267,9 +247,10 @@ class EpaSearch {
   /// curved sets in overlap, none ends 1e-4 of the depth above what the polytope alone finds; with 8 degrees, 11 do, by
   /// up to 0.7 %.
   static constexpr S kNearby = S(0.998);
-  /// Of a triangle about the best plane: about 30 degrees.
+  /// Widest tilt of a triangle about the best plane: about 30 degrees.
   static constexpr S kWidest = S(0.5);
-  /// Of smooth sets: by how much of the depth a normal elsewhere may be better for a local minimum to be the answer.
+  /// Part of the depth by which a normal elsewhere may be better than a local minimum of smooth sets that is the
+  /// answer.
   static constexpr S kElsewhere = S(0.01);
 };
 

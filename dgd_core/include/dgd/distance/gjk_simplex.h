@@ -199,8 +199,9 @@ class Descent {
   }
 
  private:
-  /// Part of the squared length that another nearest point may be longer by, and how often. Of four searches in float
-  /// that stalled 1e-4 m off, in 24 seeds of the test of UpdateDistance(), one such step freed all; by one unit, three.
+  /// The part of the squared length by which another nearest point may be longer, and how often. Of four searches in
+  /// float that stalled 1e-4 m off, in 24 seeds of the test of UpdateDistance(), one such step freed all; by one unit,
+  /// three.
   static constexpr S kAsNear = 4 * kEpsilon<S>;
   static constexpr int kMaxSideways = 3;
 

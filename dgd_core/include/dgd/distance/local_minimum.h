@@ -9,7 +9,6 @@
 #include "dgd/distance/distance_bounds.h"
 #include "dgd/distance/gjk_simplex.h"
 #include "dgd/distance/newton_kink_step.h"
-#include "dgd/distance/newton_step.h"
 #include "dgd/inlining.h"
 
 namespace dgd::distance_internal {
@@ -37,7 +36,7 @@ struct Corners {
     points[size < points.size() ? size++ : size - 1] = point;
     return true;
   }
-  /// Part of the hull that is nearest to a point, about that point.
+  /// The part of the hull that is nearest to a point, about that point.
   GjkSimplex<S> NearestTo(const Vector3<S>& target) const {
     std::array<Feature, 3> moved = points;
     for (std::size_t i = 0; i < size; ++i) moved[i].point -= target;
@@ -52,7 +51,7 @@ struct Corners {
 template <class S>
 struct Pieces {
   Corners<S> support;
-  PieceModels<S> models;  ///< With weights of 0.
+  PieceModels<S> models;  ///< Their weights are 0.
 
   /// The pieces with a point among the nearest ones, with these points' weights; of two pieces both, since the other
   /// one may have to be made level.
@@ -94,8 +93,8 @@ struct LocalMinimum {
   typename Bounds::Feature foot;  ///< Foot of the origin on the plane, from points of the cores.
 };
 
-/// With the origin inside: Newton's steps from the best plane, until the pieces that hold its foot promise no more than
-/// the tolerance.
+/// Takes Newton's steps from the best plane, the origin inside, until the pieces that hold its foot promise no more
+/// than the tolerance.
 /// @param corners  Points of the pieces to begin with.
 /// @return nothing if no such normal was found in a few steps.
 template <class Bounds, class S = typename Bounds::S>
@@ -116,14 +115,13 @@ DGD_NOINLINE std::optional<LocalMinimum<Bounds>> FindLocalMinimum(Bounds& bounds
     const PieceModels<S> holding = pieces.Holding(nearest);
     const KinkModel<S> kink(normal, tangents, holding);
     const NormalStep<S> step = StepDownKink(kink, reach, bounds.Tolerance());
-    // Of the best plane, which is as high as the highest piece.
+    // The best plane is as high as the highest piece.
     const S gain = height - kink.Height() + step.gain;
     if (!step.is_valid || gain < -bounds.Tolerance()) return std::nullopt;
     if (gain <= bounds.Tolerance()) {
-      // Else other pieces, or points where these have no second derivative, are near the foot.
+      // If not, other pieces, or points where these have no second derivative, are near the foot.
       const bool hold_foot = nearest.Nearest().squaredNorm() <= bounds.Tolerance() * bounds.size;
       if (!hold_foot) return std::nullopt;
-      bounds.best.is_new = false;
       LocalMinimum<Bounds> minimum{bounds.best, nearest.Combination()};
       minimum.foot.point += foot;
       return minimum;

@@ -1,8 +1,13 @@
 // Newton's steps towards the normal along which a convex set made of smooth pieces is nearest to an origin, where that
 // normal may be on a kink between pieces: as an edge of a box on the side of a cylinder.
 //
-// The support function is the largest of the pieces' own. Of two or three pieces that are level at the minimum, each
-// with gradient g_i and Hessian H_i - h I across the normal (normal_step.h), a step s keeps them level,
+// On the unit sphere, the support function h(n) of a piece has the gradient p - h n, p its support point along n, and
+// the Hessian H - h I across n, H = dp/dn. With the origin outside h is negative near the best normal, and the Hessian
+// positive definite; with the origin inside it is so where the surface curves less than a sphere of radius h, as it
+// must at a local minimum.
+//
+// The set's support function is the largest of the pieces' own. Of two or three pieces that are level at the minimum,
+// each with gradient g_i and Hessian H_i - h I across the normal, a step s keeps them level,
 //
 //     h_1 + <g_1, s> = h_i + <g_i, s>,
 //
@@ -17,12 +22,19 @@
 #include <cstddef>
 
 #include "dgd/assert.h"
-#include "dgd/distance/newton_step.h"
 #include "dgd/invert.h"
 #include "dgd/solver/tolerances.h"
 #include "dgd/types.h"
 
 namespace dgd {
+
+/// A step from one unit normal to another.
+template <class S>
+struct NormalStep {
+  bool is_valid = false;  ///< If not, there is no step, and the rest is meaningless.
+  Vector3<S> next;        ///< The next normal, unit length.
+  S gain;                 ///< Fall of the height, by the model; metres.
+};
 
 /// One piece's support function about a unit normal. All vectors are in one frame, about the origin that is meant.
 template <class S>

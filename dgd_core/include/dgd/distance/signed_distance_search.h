@@ -4,16 +4,16 @@
 //  * Convex radius. C = K + ball(R), K the difference of the cores: the signed distance of C is that of K less R, along
 //    the same normal. So all is done on K, and polytopes with margins end exactly.
 //  * Start. The normal of the growth distance, and the basis of its inner approximation: for polytopes in contact face
-//    on face they are the answer already, and no support function is evaluated. Of curved cores the basis names pieces,
+//    on face they are the result already, and no support function is evaluated. Of curved cores the basis names pieces,
 //    and Newton's first step is taken on all of them.
 //  * Apart. With the origin outside of K the problem is convex: GJK. The nearest point of a simplex gives the next
 //    direction, whose supporting plane bounds the distance from below.
 //  * Overlap. With the origin inside, an expanding polytope finds the least of many local minima: epa_search.h.
 //  * Frames. The points where the last search ended are named by features, and so are points of K wherever the sets
-//    have moved to: no growth distance is needed in between. Of polytopes most often they hold the answer still, apart
+//    have moved to: no growth distance is needed in between. Polytopes most often end where they were, apart
 //    or in overlap, and one evaluation of the support functions proves it. Curved cores must stay apart.
-//  * Curves. The inner approximation of a curved set alone converges linearly. So there are Newton's steps in between,
-//    as long as they gain, on all pieces that the simplex is on (newton_kink_step.h).
+//  * Curves. The inner approximation of a curved set alone converges linearly: Newton's steps are taken in between, as
+//    long as they gain, on all pieces that the simplex is on (newton_kink_step.h).
 #pragma once
 
 #include <algorithm>
@@ -52,8 +52,7 @@ class SignedDistanceSearch {
   SignedDistanceSearch(const SignedDistanceSearch&) = delete;
   SignedDistanceSearch& operator=(const SignedDistanceSearch&) = delete;
 
-  /// @param growth      What is known: a normal and the separation along it. Without a status that says so, only a
-  ///                    direction.
+  /// @param growth      A normal and the separation along it; with a status that has none, only a direction.
   /// @param warm_start  Points of K that may be near; nullptr for none.
   Status Solve(const Result<S>& growth, const WarmStart<S>* warm_start) {
     if (!difference_.IsValid()) return Status::kInvalidInput;
@@ -74,19 +73,23 @@ class SignedDistanceSearch {
     return RunGjk();
   }
 
-  /// Without a growth distance, from the line of the centres, where that is the shorter way: to a point or a segment,
-  /// and between curved cores that a plane across the line separates.
+  /// Searches from the line of the centres, without a growth distance, where that is the shorter way: to a point or a
+  /// segment, and between curved cores that a plane across the line separates.
   /// @return nothing if it is not.
   std::optional<Status> TryFromCenters() {
     if (!difference_.IsValid()) return Status::kInvalidInput;
-    if (!Difference::kIsSmooth && !difference_.HasThinCore()) return std::nullopt;
+    if constexpr (Difference::kIsPolytope) {
+      if (!difference_.HasThinCore()) return std::nullopt;
+    } else if (!Difference::kIsSmooth) {
+      return std::nullopt;
+    }
     simplex_.Add(bounds_.CutOutOfLine(Point::UnitZ()));
     if (Difference::kIsSmooth && !(best_.height < 0)) return std::nullopt;
     return RunGjk();
   }
 
-  /// From where the last search ended: of polytopes from its points, of curved cores from its normal, or from the line
-  /// of the centres.
+  /// Searches from where the last search ended: polytopes from its points, curved cores from its normal, or from the
+  /// line of the centres.
   /// @return kOptimal or kSeparated; anything else if there is no state to begin from, or curved cores are not apart.
   Status Update(const WarmStart<S>& last) {
     is_update_ = true;
@@ -96,7 +99,7 @@ class SignedDistanceSearch {
       RecallSimplex(last, Point::Zero());
     } else {
       if (!difference_.IsValid()) return Status::kInvalidInput;
-      const bool is_known = last.normal_1.squaredNorm() > S(0.5);  // Else it is zero.
+      const bool is_known = last.normal_1.squaredNorm() > S(0.5);  // If not, it is zero.
       const Point normal = is_known ? difference_.DirectionToFrame(last.normal_1).normalized() : Point(Point::UnitZ());
       const Feature support = bounds_.CutOutOfLine(normal);
       if (IsBeyondLimit()) return Status::kSeparated;
@@ -150,8 +153,8 @@ class SignedDistanceSearch {
     }
   }
 
-  /// From the points of the last expanding polytope; if the first four do not hold the origin any more, the cores may
-  /// be apart.
+  /// Searches from the points of the last expanding polytope; if the first four do not hold the origin any more, the
+  /// cores may be apart.
   DGD_NOINLINE Status ResumeEpa(const WarmStart<S>& last) requires(Difference::kIsPolytope) {
     std::array<Feature, WarmStart<S>::kMostFeatures> points;
     std::size_t count = 0;
@@ -166,8 +169,8 @@ class SignedDistanceSearch {
     return epa_.RunEpa(polytope);
   }
 
-  /// With the cores apart. The witness points are off by the root of the gap, so the gap has to be smaller than the
-  /// tolerance.
+  /// Whether the gap is small enough while the cores are apart. The witness points are off by its root, so it has to be
+  /// smaller than the tolerance.
   bool HasGoodPoints() const {
     if constexpr (Difference::kIsPolytope) return bounds_.IsOptimal();
     return bounds_.nearest + best_.height <= std::max(bounds_.RoundoffBound(), kForPoints * bounds_.Tolerance());
@@ -193,7 +196,7 @@ class SignedDistanceSearch {
       const auto pieces = PiecesOfSimplex(from, tangents);
       const NormalStep<S> step = StepOnKink(KinkModel<S>(from, tangents, pieces.models));
       if (!step.is_valid) return own;
-      // Of a single piece, the next support point will do.
+      // A single piece needs no more than its next support point.
       if (pieces.models.size > 1) MoveSimplex(pieces.support, step.next, tangents);
       return step.next;
     }
@@ -225,7 +228,7 @@ class SignedDistanceSearch {
     bounds_.nearest = simplex_.Nearest().norm();
   }
 
-  /// With the origin outside of K, or so it seems.
+  /// Searches about an origin that is outside of K, or seems to be.
   Status RunGjk() {
     for (;;) {
       bounds_.nearest = simplex_.Nearest().norm();
@@ -251,11 +254,11 @@ class SignedDistanceSearch {
     }
   }
 
-  /// Part of the size. Smooth cores that overlap by more are searched from the line of the centres: of ellipsoids, an
-  /// expanding polytope that begins with points all around takes 0.88 of the instructions of one that begins with those
-  /// of the growth distance, of cylinders 1.02 (query_instructions.sh, `signed`).
+  /// Smooth cores that overlap by more than this part of their size are searched from the line of the centres: of
+  /// ellipsoids, an expanding polytope that begins with points all around takes 0.88 of the instructions of one that
+  /// begins with those of the growth distance, of cylinders 1.02 (query_instructions.sh, `signed`).
   static constexpr S kDeep = S(1e-4);
-  /// Part of the tolerance that the gap has to be below: two digits of the points.
+  /// The part of the tolerance that the gap has to be below, for two digits of the points.
   static constexpr S kForPoints = S(1e-4);
 
   Bounds bounds_;

@@ -17,8 +17,8 @@
 
 namespace dgd::distance_internal {
 
-/// What DistanceBounds and the searches take of a MinkowskiDifference. Lengths in metres; points of set 1 from its own
-/// origin.
+/// The members of MinkowskiDifference that DistanceBounds and the searches use. Lengths in metres; points of set 1 are
+/// from its own origin.
 template <class Set1, class Set2>
 class WorldDifference {
  public:
@@ -87,7 +87,7 @@ class WorldDifference {
   const Pose<S>& pose_1_;
   const Set2& set_2_;
   const Pose<S>& pose_2_;
-  const Point between_;  // From set 1's origin to set 2's.
+  const Point between_;  // Set 2's origin from set 1's.
   const S distance_;     // Largest coordinate of that.
   const S convex_radius_;
 };
