@@ -212,7 +212,7 @@ class NewtonSearch {
     for (int i = 0; i < size_; ++i) {
       const Piece& piece = pieces_[static_cast<std::size_t>(i)];
       if (!piece.at.derivative.allFinite()) return false;
-      model.Add(piece.at.support.point, piece.at.derivative, piece.height, piece.is_fixed);
+      model.Add(piece.at.support.point, piece.at.derivative, piece.height);
       guess |= unsigned{piece.is_active} << i;
     }
     if (!model.Solve(guess)) return false;

@@ -3,8 +3,8 @@
 // A plane with the normal (u, 1) meets the ray at the height g(u) = s_C(u, 1), the support function of C: convex, and
 // its minimum is where the ray leaves C. The features of the cores (smooth pieces and vertices) make it a maximum of
 // smooth functions, g = max g_i, whose gradient is the part of the support point z_i across the ray, and whose Hessian
-// is that point's derivative. The cutting plane knows of each g_i only a tangent plane at an old u. Here all of those
-// that were met lately are taken at one u, and
+// is that point's derivative. A cutting plane has of each g_i only a tangent plane at an old u. Here all of those that
+// were met lately are taken at one u, and
 //
 //   minimise over d:  max_i (g_i + <grad g_i, d>) + 1/2 <d, H d>,   H = sum_i m_i (Hess g_i + grad g_i grad g_i^T / g),
 //
@@ -15,11 +15,6 @@
 // The products of gradients make it the step for g^2 / 2, the squared support function, which is quadratic for a ball
 // or an ellipsoid about the origin where g itself is a cone; at the minimum they vanish along the step. Far from it,
 // they keep steps short.
-//
-// Pieces that bend differently are no longer equally high at the end of such a step, however good it is along the curve
-// where they are: what is higher by it looks like a step too far (Maratos 1978). So d is moved back onto that curve, as
-// far as the pieces' second derivatives tell it: the second-order correction of sequential quadratic programming
-// (Nocedal and Wright, "Numerical Optimization", Sec. 18.3).
 #pragma once
 
 #include <algorithm>
@@ -55,15 +50,12 @@ class NewtonStepModel {
 
   /// Adds a piece by its point on C, and how that moves with the direction; at most kMaxPieces. The first one is the
   /// highest.
-  /// @param height    Of the point's plane on the ray.
-  /// @param is_plane  Whether the piece stands for that plane alone: the point is one of another direction.
-  void Add(const Point& point, const Matrix& derivative, S height, bool is_plane) {
+  /// @param height  Of the point's plane on the ray.
+  void Add(const Point& point, const Matrix& derivative, S height) {
     DGD_ASSERT(size_ < kMaxPieces);
     Piece& added = pieces_[static_cast<std::size_t>(size_++)];
     added.gradient = point.template head<L - 1>();
     added.height = height;
-    added.is_plane = is_plane;
-    added.derivative = derivative;
     added.hessian = derivative + added.gradient * added.gradient.transpose() / best_height_;
   }
 
@@ -95,9 +87,7 @@ class NewtonStepModel {
   struct Piece {
     Across gradient;
     S height = 0;
-    bool is_plane = false;
-    Matrix derivative;  ///< Derivative of the gradient.
-    Matrix hessian;     ///< What the model takes for that.
+    Matrix hessian;  ///< What the model takes for the derivative of the gradient.
   };
   /// Pieces that are taken to be equally high, and their multipliers.
   struct Members {
@@ -146,7 +136,6 @@ class NewtonStepModel {
       const bool is_member = (subset >> i & 1U) != 0;
       if (!is_member && pieces_[i].height + pieces_[i].gradient.dot(step_) > height + slack) return false;
     }
-    if (members.size > 1) Correct(members);
     return true;
   }
 
@@ -175,7 +164,7 @@ class NewtonStepModel {
     return true;
   }
 
-  /// In every direction.
+  /// Whether a Hessian curves in every direction.
   bool IsCurved(const Matrix& hessian) const {
     const S least = kLeastCurvature * best_height_;
     if constexpr (L == 3) {
@@ -185,7 +174,7 @@ class NewtonStepModel {
     }
   }
 
-  /// As many pieces as planes that meet in a point.
+  /// Finds the step to the point where the planes of as many pieces meet.
   bool IntersectPlanes(const Matrix& hessian, Members& members) {
     const Piece& last = *members.pieces[L - 1];
     Across rises;
@@ -209,7 +198,7 @@ class NewtonStepModel {
     return std::abs(edges.determinant()) > (L == 3 ? Alike() * Alike() : Alike()) && Invert(edges, inverse);
   }
 
-  /// Two pieces in space: to where their planes meet, and along that line to the lowest point.
+  /// Finds the step of two pieces in space: to where their planes meet, and along that line to the lowest point.
   bool FollowLine(const Matrix& hessian, Members& members) requires(L == 3) {
     const Piece &first = *members.pieces[0], &second = *members.pieces[1];
     const Across edge = first.gradient - second.gradient;
@@ -224,29 +213,6 @@ class NewtonStepModel {
     members.multipliers[0] = -edge.dot(hessian * step_ + second.gradient) / length_sq;
     members.multipliers[1] = 1 - members.multipliers[0];
     return true;
-  }
-
-  /// Moves the step, across the curve where the pieces are equally high, by what their second derivatives have taken it
-  /// off that. Not by more than half of its length: there they tell little. Nor where a piece stands for a plane, which
-  /// does not say how its feature bends. Not inlined: every pair of types would have its own.
-  DGD_NOINLINE void Correct(const Members& members) {
-    constexpr S kMost = S(0.5);
-    const auto is_plane = [](const Piece* piece) { return piece->is_plane; };
-    if (std::any_of(members.pieces.begin(), members.pieces.begin() + members.size, is_plane)) return;
-    const auto bend = [&](std::size_t i) -> S { return step_.dot(members.pieces[i]->derivative * step_) / 2; };
-    Across correction = Across::Zero();
-    if (members.size == L) {
-      Across rises;
-      for (int i = 0; i < L - 1; ++i) rises[i] = bend(L - 1) - bend(static_cast<std::size_t>(i));
-      Matrix inverse;
-      if (!InvertEdges(members, inverse)) return;
-      correction = inverse.transpose() * rises;
-    } else {
-      const Across edge = members.pieces[0]->gradient - members.pieces[1]->gradient;
-      correction = (bend(1) - bend(0)) / edge.squaredNorm() * edge;
-    }
-    // No squares: gradients that are nearly alike make it long.
-    if (correction.cwiseAbs().maxCoeff() < kMost * step_.cwiseAbs().maxCoeff()) step_ += correction;
   }
 
   /// Gradients that differ by less are those of pieces that are alike but for roundoff; metres.
