@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dgd/shapes/polytope.h"
+#include "dgd/solver/inner_update.h"
 #include "support/random.h"
 
 namespace dgd_test {
@@ -13,6 +14,7 @@ namespace {
 
 using dgd::DifferencePoint;
 using dgd::InnerApproximation;
+using dgd::InnerUpdate;
 using Eigen::Vector3d;
 
 DifferencePoint<double> PointAt(const Vector3d& where) {
@@ -88,7 +90,7 @@ void RunToTheEnd(double radius, int count, Random& random) {
     std::vector<Vector3d> old_and_new = PointsOf(inner);
     old_and_new.push_back(farthest);
     const double before = inner.Height();
-    ASSERT_TRUE(inner.Insert(PointAt(farthest)));
+    ASSERT_TRUE(InnerUpdate(inner).Insert(PointAt(farthest)));
     EXPECT_GE(inner.Height(), before);
     EXPECT_NEAR(inner.Height(), ExitHeight(old_and_new, radius, before), 1e-9);
     if (::testing::Test::HasFailure()) return;
@@ -125,7 +127,7 @@ TEST(InnerApproximation, AnyInsertion_NeverLowersTheHeight) {
       const bool repeat = !earlier.empty() && random.Below(5) == 0;
       earlier.push_back(repeat ? earlier[static_cast<std::size_t>(random.Below(k))] : PointAt(where));
       const double before = inner.Height();
-      (void)inner.Insert(earlier.back());
+      (void)InnerUpdate(inner).Insert(earlier.back());
       ASSERT_GE(inner.Height(), before);
       ASSERT_GT(inner.Normal().z(), 0);
       if (k > 0 || inner.Size() < 3) CheckExitPoint(inner, radius);
@@ -144,10 +146,10 @@ DifferencePoint<float> FloatPointAt(float x, float y, float z) {
 TEST(InnerApproximation, MoveToExit_OnASteepFacet_FindsThePlanesNearestPoint) {
   const DifferencePoint<float> top = FloatPointAt(0.02f, 0.01f, 20);
   auto inner = InnerApproximation<float>::FromInradius(0.1f, 0.5f);
-  ASSERT_TRUE(inner.Insert(top));
+  ASSERT_TRUE(InnerUpdate(inner).Insert(top));
   const float ceiling = inner.Height() * (1 - 2e-5f);
   inner = InnerApproximation<float>::FromInradius(0.1f, 0.5f);
-  ASSERT_TRUE(inner.Insert(top, ceiling));
+  ASSERT_TRUE(InnerUpdate(inner, ceiling).Insert(top));
   ASSERT_EQ(inner.Height(), ceiling);
   ASSERT_LT(inner.Normal().z(), 0.01f);
   inner.MoveToExit();
@@ -164,9 +166,9 @@ TEST(InnerApproximation, Insert_FacetOfANeedleAboveTheCeilingByRounding_IsTaken)
   const std::array<DifferencePoint<float>, 3> basis = {FloatPointAt(-3.43371964f, 2.92834473f, 34.6501846f),
                                                        FloatPointAt(0.0974351466f, -0.14862521f, 0.221731231f),
                                                        FloatPointAt(16.2114086f, -13.8251438f, 27.6957855f)};
-  ASSERT_TRUE(inner.AdoptBasis(basis, 3));
+  ASSERT_TRUE(InnerUpdate(inner).AdoptBasis(basis, 3));
   const float ceiling = 33.5030022f;
-  EXPECT_TRUE(inner.Insert(FloatPointAt(6.91430759f, -5.89832783f, 33.7402267f), ceiling));
+  EXPECT_TRUE(InnerUpdate(inner, ceiling).Insert(FloatPointAt(6.91430759f, -5.89832783f, 33.7402267f)));
   EXPECT_EQ(inner.Height(), ceiling);
 }
 
@@ -177,12 +179,12 @@ TEST(InnerApproximation, Insert_PointAcrossAnEdgeThatCarriesTheRay_TurnsTheFacet
   const std::array<DifferencePoint<float>, 3> basis = {FloatPointAt(0.656372011f, -0.4912498f, 4.99823284f),
                                                        FloatPointAt(0.0100324154f, 0.0189163685f, 5.41956091f),
                                                        FloatPointAt(-1.48297429f, 1.10990405f, 7.13251734f)};
-  ASSERT_TRUE(inner.AdoptBasis(basis, 3));
-  ASSERT_TRUE(inner.Insert(FloatPointAt(-0.633357763f, 0.474062234f, 6.34299898f), 5.70467567f));
+  ASSERT_TRUE(InnerUpdate(inner).AdoptBasis(basis, 3));
+  ASSERT_TRUE(InnerUpdate(inner, 5.70467567f).Insert(FloatPointAt(-0.633357763f, 0.474062234f, 6.34299898f)));
   const float height = inner.Height();
   const DifferencePoint<float> across = FloatPointAt(-0.0213195682f, 0.0180679262f, 5.69843388f);
   ASSERT_TRUE(inner.IsAbove(across.point, 1e-3f));
-  ASSERT_TRUE(inner.Insert(across, 5.69639826f));
+  ASSERT_TRUE(InnerUpdate(inner, 5.69639826f).Insert(across));
   EXPECT_NEAR(inner.Normal().dot(across.point - inner[0].point), 0, 1e-6f);
   EXPECT_EQ(inner.Height(), height);
 }
@@ -195,7 +197,7 @@ void ExpectFarPointChangesNothing(S far, S radius) {
   const S height = inner.Height(), ceiling = 1;
   dgd::DifferencePoint<S, L> point;
   point.point[L - 1] = far;
-  EXPECT_FALSE(inner.Insert(point, ceiling));
+  EXPECT_FALSE(InnerUpdate(inner, ceiling).Insert(point));
   EXPECT_EQ(inner.Height(), height);
   EXPECT_EQ(inner.Size(), L);
 }

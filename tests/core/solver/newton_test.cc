@@ -73,8 +73,8 @@ Shares CheckWalk(const Make1& make_1, const Make2& make_2) {
     const dgd::NoObserver observer;
     dgd::RayIntersection<Set1, Set2> cuts(difference, settings);
     (void)cuts.Solve(dgd::QueryMode::kDistance, nullptr, observer);
-    EXPECT_LE(result.lower_bound, cuts.UpperBound() * (1 + 1e-12));
-    EXPECT_LE(cuts.LowerBound(), result.upper_bound * (1 + 1e-12));
+    EXPECT_LE(result.lower_bound, cuts.Bounds().UpperBound() * (1 + 1e-12));
+    EXPECT_LE(cuts.Bounds().LowerBound(), result.upper_bound * (1 + 1e-12));
     dgd::NewtonSearch<Set1, Set2> search(difference, settings);
     if (!search.Solve(dgd::QueryMode::kDistance, difference.EllipsoidGuess(), nullptr, observer)) continue;
     EXPECT_EQ(search.Bounds().UpperBound(), result.upper_bound);

@@ -111,8 +111,8 @@ bool EdgeExit(const Vector3<S>& a, const Vector3<S>& b, S convex_radius, Feature
   if (!(t >= -kWeightSlack<S> && t <= 1 + kWeightSlack<S>)) return false;
   t = t < 0 ? S(0) : t > 1 ? S(1) : t;
   exit.height = a.z() + t0 * d.z() + half_width * length / lateral;
-  // Of a part across the edge and the ray, and a part in their plane: orthogonal to the edge to the last digit also
-  // where the radius is small, which -(a + t * d) / R is not.
+  // The normal has a part across the edge and the ray, and a part in their plane: it is orthogonal to the edge to the
+  // last digit also where the radius is small, which -(a + t * d) / R is not.
   const S across = cross / (convex_radius * lateral_sq);
   const S along = -half_width * d.z() / (convex_radius * lateral * length);
   exit.normal = {along * d.x() - across * d.y(), along * d.y() + across * d.x(),
@@ -137,7 +137,7 @@ bool FacetExit(const Vector2<S>& a, const Vector2<S>& b, S convex_radius, Featur
   if (!(side * across_a <= slack && side * across_b >= -slack)) return false;
   const S weight_b = std::clamp(-across_a / d.x(), S(0), S(1));
   exit.weights = {1 - weight_b, weight_b};
-  // From the nearer end, so that a far one costs no digits.
+  // The height is counted from the nearer end, so that a far one costs no digits.
   const S slope = d.y() / d.x();
   exit.height = std::abs(across_a) < std::abs(across_b) ? a.y() + shift.y() - slope * across_a
                                                         : b.y() + shift.y() - slope * across_b;

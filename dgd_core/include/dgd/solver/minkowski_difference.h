@@ -36,7 +36,7 @@ struct DifferencePoint {
 template <class S, int L>
 struct CurvedDifferencePoint {
   DifferencePoint<S, L> support;
-  /// d(point) / d(direction), both across the ray, or along the tangents asked for; metres, positive semidefinite.
+  /// d(point) / d(direction), both across the ray, or along given tangents; metres, positive semidefinite.
   SquareMatrix<S, L - 1> derivative;
 };
 
@@ -44,9 +44,8 @@ struct CurvedDifferencePoint {
 template <class Core>
 concept FeatureCore = VertexCore<Core> || SmoothCore<Core>;
 
-/// Columns: two unit vectors orthogonal to the unit vector `axis`, then `axis`; right-handed. By the sign of one
-/// coordinate, without a branch that could make nearly equal axes take different paths far apart (Duff et al. 2017,
-/// "Building an Orthonormal Basis, Revisited").
+/// Columns: two unit vectors orthogonal to the unit vector `axis`, then `axis`; right-handed. It has no branch (Duff et
+/// al. 2017, "Building an Orthonormal Basis, Revisited").
 template <class S>
 Matrix3<S> FrameAlong(const Vector3<S>& axis) {
   const S sign = std::copysign(S(1), axis.z());
@@ -66,10 +65,10 @@ SquareMatrix<S, 2> FrameAlong(const Vector2<S>& axis) {
   return frame;
 }
 
-/// Whether a pair is of a size that the scalar can compute with: see kLeastSize. Not its extent, which is not known,
-/// but the middle between its inradii and its distance, if that is larger: sheets and needles may be thinner.
-/// @param length, inradius  The distance of the centres, and the sum of the inradii; metres. Flat sets, whose inradius
-///                          is 0, are in range.
+/// Whether a pair is of a size that the scalar can compute with: see kLeastSize. The size is the geometric mean of the
+/// inradii and the distance, if that is larger: sheets and needles may be thinner.
+/// @param length, inradius  The distance of the centres, and the sum of the inradii, metres; 0 for flat sets, which are
+///                          in range.
 template <class S>
 bool IsInRange(S length, S inradius) {
   constexpr S kLeastSizeSq = kLeastSize<S> * kLeastSize<S>;
@@ -77,9 +76,9 @@ bool IsInRange(S length, S inradius) {
   return is_large && inradius <= kGreatestSize<S>;  // False for NaN.
 }
 
-/// Whether the interior is more than what roundoff makes of the points: of a set that is far from its own origin for
-/// its size, or a needle beside a grain, nothing may be left; and the centre of a flat core lies on it but for
-/// roundoff, which a tiny radius does not make up for. Test: GrowthDistanceStatus.InteriorBelowRounding_*.
+/// Whether the interior is more than the roundoff of the points. A set that is far from its own origin for its size, or
+/// a needle next to a grain, may have none left; and a tiny radius does not make up for the roundoff of a flat core's
+/// centre. Test: GrowthDistanceStatus.InteriorBelowRounding_*.
 /// @param point_1, point_2  Any points of the cores, from their origins or centres; in any frame, metres.
 template <class Set1, class Set2>
 bool HasCertainInterior(const Set1& set_1, const Set2& set_2, const VectorOf<typename Set1::Core>& point_1,
@@ -140,7 +139,7 @@ class MinkowskiDifference {
 
   /// |p|, metres: the length at which the ray reaches growth distance 1.
   S CenterDistance() const { return length_; }
-  /// From the centres' difference to that of the sets' points that coincide in space, metres.
+  /// The difference, about the centres, of the sets' points that coincide in space; metres.
   Point DistanceOrigin() const { return length_ * Point::Unit(L - 1); }
   /// Largest coordinate of a point, metres.
   static S Reach(const Feature& feature) { return feature.point.cwiseAbs().maxCoeff(); }
@@ -150,8 +149,7 @@ class MinkowskiDifference {
   S Inradius() const { return inradius_; }
   /// The part of Inradius() that set 1 contributes.
   S Inradius1() const { return set_1_.core.Inradius() + set_1_.radius; }
-  /// The same as dgd::HasCertainInterior(), which does not follow from the inradius alone.
-  /// @param support  Any support point.
+  /// The same as dgd::HasCertainInterior(), by any support point.
   bool HasCertainInterior(const Feature& support) const {
     return dgd::HasCertainInterior(set_1_, set_2_, support.on_1, Point(support.on_1 - support.point));
   }
@@ -159,9 +157,8 @@ class MinkowskiDifference {
   S InradiusOfPoints() const { return InradiusOfPoints1() + set_2_.core.Inradius() + inflation_2_; }
   /// The part of InradiusOfPoints() that set 1 contributes.
   S InradiusOfPoints1() const { return set_1_.core.Inradius() + inflation_1_; }
-  /// A guess at the normal by which the ray leaves: that of the ellipsoid whose matrix is the sum of the cores'
-  /// spreads, and of the radii squared. That of a p for a matrix M is M^-1 p: here, along M's last row of cofactors.
-  /// Ray frame, unit length, not downwards.
+  /// A guess at the normal by which the ray leaves: M^-1 p of the ellipsoid whose matrix M is the sum of the cores'
+  /// spreads, and of the radii squared; here, along M's last row of cofactors. Ray frame, unit length, not downwards.
   Point EllipsoidGuess() const requires(L == 3) {
     const S radius = set_1_.radius + set_2_.radius;
     Eigen::Matrix<S, 3, 2> columns = radius * radius * Eigen::Matrix<S, 3, 2>::Identity();
@@ -178,7 +175,7 @@ class MinkowskiDifference {
     return length > 0 && normal.z() > 0 ? Point(normal / length) : Point(Point::UnitZ());
   }
 
-  /// Radius of the ball that is kept apart from the support points, metres; 0 if they include it.
+  /// Radius of the ball that support points do not include, metres.
   S ConvexRadius() const { return convex_radius_; }
 
   /// The point of the cores' difference farthest along the unit vector `normal` (ray frame): eq. (5) of the paper.
@@ -192,13 +189,9 @@ class MinkowskiDifference {
                       SupportNear(set_2_.core, Point(to_frame_2_.transpose() * -direction), hint_2), normal);
   }
 
-  /// Whether this is a polytope, and one of the cores is a point or a segment.
-  bool HasThinCore() const {
-    if constexpr (kIsPolytope) {
-      return std::min(FeatureCount(set_1_.core), FeatureCount(set_2_.core)) <= 2;
-    } else {
-      return false;
-    }
+  /// Whether one of the cores is a point or a segment.
+  bool HasThinCore() const requires kIsPolytope {
+    return std::min(FeatureCount(set_1_.core), FeatureCount(set_2_.core)) <= 2;
   }
   /// Whether both cores have these features; they may have changed since a previous query named them.
   bool HasFeatures(FeatureId feature_1, FeatureId feature_2) const requires kHasFeatures {
@@ -212,8 +205,7 @@ class MinkowskiDifference {
                       Point::Zero());
   }
 
-  /// The point of C, radii included, that is farthest along a direction of any length, and how it moves with that. Not
-  /// inlined, as below: it is long, and there are many pairs of types.
+  /// The point of C, radii included, that is farthest along a direction of any length, and how it moves with that.
   /// @param hint_1, hint_2  As of Support().
   DGD_FLATTEN DGD_NOINLINE CurvedDifferencePoint<S, L> CurvedSupport(const Point& direction, FeatureId hint_1,
                                                                      FeatureId hint_2) const requires kIsSmooth {
@@ -258,18 +250,25 @@ class MinkowskiDifference {
   S Radius2() const { return set_2_.radius; }
 
   Point DirectionToFrame(const Point& direction_1) const { return to_frame_1_ * direction_1; }
-  /// Normal in the frame of set 1, of unit length also where a rotation is not quite orthonormal, as one from an engine
-  /// that works in float.
+  /// Normal in the frame of set 1, of unit length also where a rotation from an engine in float is not quite
+  /// orthonormal.
   Point NormalOfSet1(const Point& direction) const { return (to_frame_1_.transpose() * direction).normalized(); }
   Point DirectionToWorld(const Point& direction) const { return frame_ * direction; }
   Point DirectionFromWorld(const Point& direction) const { return frame_.transpose() * direction; }
 
-  /// World points of set 1 and set 2, from the cores' points in the ray frame about the centres.
+  /// Points of set 1 and set 2, from the cores' points; ray frame, about the centres.
+  Point OnSet1(const Point& core_point, const Point& normal) const {
+    return core_point + (convex_radius_ > 0 ? set_1_.radius : S(0)) * normal;
+  }
+  Point OnSet2(const Point& core_point, const Point& normal) const {
+    return core_point - (convex_radius_ > 0 ? set_2_.radius : S(0)) * normal;
+  }
+  /// The same in the world.
   Point World1(const Point& core_point, const Point& normal) const {
-    return center_1_ + frame_ * (core_point + (convex_radius_ > 0 ? set_1_.radius : S(0)) * normal);
+    return center_1_ + frame_ * OnSet1(core_point, normal);
   }
   Point World2(const Point& core_point, const Point& normal) const {
-    return center_2_ + frame_ * (core_point - (convex_radius_ > 0 ? set_2_.radius : S(0)) * normal);
+    return center_2_ + frame_ * OnSet2(core_point, normal);
   }
   /// Error of support points beyond the scalar's roundoff, relative to their size.
   S Accuracy() const { return std::max(AccuracyOf(set_1_.core), AccuracyOf(set_2_.core)); }
@@ -279,7 +278,7 @@ class MinkowskiDifference {
   /// False for NaN or infinity anywhere in the poses or radii, and for sizes out of the scalar's range.
   bool IsValid() const {
     const S sum = to_frame_1_.sum() + to_frame_2_.sum() + length_ + inradius_ + center_1_.sum() + center_2_.sum();
-    // Of flat sets nothing but their distance tells whether squares of their lengths vanish.
+    // Flat sets have nothing but their distance to show whether squares of their lengths vanish.
     const bool has_vanished = inradius_ == 0 && length_ * length_ < std::numeric_limits<S>::min();
     return std::isfinite(sum) && IsInRange(length_, inradius_) && !(has_vanished && center_1_ != center_2_);
   }

@@ -1,15 +1,14 @@
 // Curved sets' queries: from normal to normal by second-order steps, to the lowest supporting plane.
 //
-// Where RayIntersection keeps an inner approximation of support points along many normals, a second-order step has
-// what it needs at one: the pieces of C that are about the highest there. They bound the ray from both sides:
+// A second-order step needs the pieces of C that are about the highest along one normal. They bound the ray from both
+// sides:
 //  * outer: the plane of the highest piece;
 //  * inner: their points' convex combination z that is nearest to the ray. C holds it and the ball of radius r about
-//    the origin, so at a distance d from the ray and a height h it says that C holds the ray up to h r / (r + d).
-// The distance goes to 0 as the steps go, quadratically; so do the bounds' gap and the error of the witness points.
-// A step takes 0.3 to 0.6 of the time of one of RayIntersection; where this gives up, that goes on (query.h).
+//    the origin, so at a distance d from the ray and a height h it proves that C holds the ray up to h r / (r + d).
+// The distance goes to 0 quadratically, as do the bounds' gap and the error of the witness points. A step takes 0.3 to
+// 0.6 of the time of one of RayIntersection; where this gives up, that goes on (query.h).
 //
-// A step that goes too far has shown a piece that is higher there: if it is a new one, it takes part in the next step;
-// if not, then by the plane that it has there.
+// A step that goes too far has met a higher piece: a new one takes part in the next step, another by its plane there.
 #pragma once
 
 #include <algorithm>
@@ -25,9 +24,8 @@
 #include "dgd/query_types.h"
 #include "dgd/solver/flat_face.h"
 #include "dgd/solver/minkowski_difference.h"
-#include "dgd/solver/newton_bounds.h"
 #include "dgd/solver/newton_step.h"
-#include "dgd/solver/query_mode.h"
+#include "dgd/solver/ray_bounds.h"
 #include "dgd/solver/tolerances.h"
 
 namespace dgd {
@@ -36,14 +34,16 @@ template <class Set1, class Set2>
 class NewtonSearch {
  public:
   using Difference = MinkowskiDifference<Set1, Set2>;
-  using NewtonBounds = solver_internal::NewtonBounds<Difference>;
   using Point = typename Difference::Point;
   using S = typename Difference::S;
   static constexpr int L = Difference::L;
   static_assert(Difference::kIsSmooth);
 
   NewtonSearch(const Difference& difference, const Settings<S>& settings)
-      : difference_(difference), settings_(settings), bounds_(difference, settings) {}
+      : difference_(difference), settings_(settings), bounds_(difference, settings, difference.Inradius()) {
+    const Point up = Point::Unit(L - 1);
+    bounds_.SetWitness(difference.Inradius1() * up, (difference.Inradius1() - difference.Inradius()) * up);
+  }
 
   /// Most evaluations of the support functions; what takes more has met pieces that do not fit the model.
   static constexpr int kMostIterations = 12;
@@ -57,7 +57,7 @@ class NewtonSearch {
   DGD_FLATTEN std::optional<Status> Solve(QueryMode mode, const Point& start, const WarmStart<S, L>* warm_start,
                                           Observer& observer) {
     if (warm_start != nullptr) RecallPieces(*warm_start);
-    // In these coordinates steeper ones are far from all others.
+    // Steeper ones are far from all others in these coordinates.
     Point direction = start[L - 1] > kSteep<S> ? Point(start / start[L - 1]) : Point(Point::Unit(L - 1));
     for (;;) {
       const bool has_cut = Cut(direction);
@@ -75,7 +75,7 @@ class NewtonSearch {
   }
 
   /// What the steps have proven.
-  const NewtonBounds& Bounds() const { return bounds_; }
+  const RayBounds<Difference>& Bounds() const { return bounds_; }
   int Iterations() const { return iterations_; }
   /// Leaves a state. That of a pair that is apart has the normal only, and where to look first.
   void Remember(Status status, WarmStart<S, L>& warm_start) const {
@@ -177,7 +177,7 @@ class NewtonSearch {
     pieces_[static_cast<std::size_t>(kept++)] = moved;
     DGD_ASSERT(kept >= 1 && kept <= kMaxPieces);
     size_ = kept;
-    if (size_ == 1) bounds_.RaiseInner(highest_.support.point, highest_.support.on_1);
+    if (size_ == 1) RaiseInner(highest_.support.point, highest_.support.on_1);
   }
 
   /// Adds what a step that went too far has met: a new piece, or the plane there of one that takes part already.
@@ -226,7 +226,7 @@ class NewtonSearch {
   /// Shortens a step to where a lower plane may be: C's is not below that of the ball about the origin in C, which
   /// meets the ray at the inradius times |(u, 1)|. Without it, a first step of 35 was seen, for a cone and a box.
   Across WithinReach(const Across& step) const {
-    constexpr S kPart = S(0.9);  // All the way only a ball has a plane as low.
+    constexpr S kPart = S(0.9);  // Only a ball has a plane as low all the way.
     const Across from = direction_.template head<L - 1>();
     const S reach = kPart * bounds_.Outer() / difference_.Inradius(), reach_sq = reach * reach - 1;
     if ((from + step).squaredNorm() <= reach_sq) return step;
@@ -254,11 +254,11 @@ class NewtonSearch {
     }
     return std::nullopt;
   }
-  /// Bit of a face. Of those that share one, one face is tried; the shapes have two at most.
+  /// The bit that stands for a face. Of faces that share one, one is tried; the shapes have two at most.
   static std::uint32_t FaceBit(FeatureId face) { return std::uint32_t{1} << face % 32; }
   bool HasTried(std::size_t set, FeatureId face) const { return (tried_faces_[set] & FaceBit(face)) != 0; }
 
-  /// Not inlined: rare, and long.
+  /// It is not inlined: rare, and long.
   DGD_NOINLINE bool LeavesByFace(const Point& normal) {
     const Point direction = normal / normal[L - 1];
     ++iterations_;
@@ -270,7 +270,7 @@ class NewtonSearch {
       return false;
     }
     bounds_.LowerOuter(direction, height, support.support.on_1);
-    bounds_.RaiseInner(height * Point::Unit(L - 1), on_1);
+    RaiseInner(height * Point::Unit(L - 1), on_1);
     return true;
   }
 
@@ -308,7 +308,24 @@ class NewtonSearch {
       point += weights[i] * points[i]->point;
       on_1 += weights[i] * points[i]->on_1;
     }
-    bounds_.RaiseInner(point, on_1);
+    RaiseInner(point, on_1);
+  }
+
+  /// Raises the inner bound by a point of C off the ray: the hull of that and of C's ball about the origin contains the
+  /// ray up to a height between theirs.
+  /// @param on_1  The point of set 1 that it comes from.
+  void RaiseInner(const Point& point, Point on_1) {
+    const S inradius = difference_.Inradius();
+    DGD_ASSERT(inradius > 0);
+    const S distance = point.template head<L - 1>().norm();
+    const S weight = inradius / (inradius + distance), height = weight * point[L - 1];
+    if (!(height > bounds_.Inner())) return;
+    bounds_.RaiseInner(height);
+    // The ball's point is -inradius / distance times what is across the ray; its weight is distance / inradius times
+    // the point's.
+    on_1.template head<L - 1>() -= difference_.Inradius1() / inradius * point.template head<L - 1>();
+    on_1 *= weight;
+    bounds_.SetWitness(on_1, on_1 - height * Point::Unit(L - 1));
   }
 
   template <class Observer>
@@ -320,7 +337,7 @@ class NewtonSearch {
 
   const Difference& difference_;
   const Settings<S>& settings_;
-  NewtonBounds bounds_;
+  RayBounds<Difference> bounds_;
   int iterations_ = 0;
   Point direction_ = Point::Unit(L - 1);  // Direction that the pieces are at: of about the lowest plane.
   Curved highest_;                        // Highest piece along the last direction.

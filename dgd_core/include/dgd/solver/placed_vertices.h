@@ -1,6 +1,6 @@
-// The vertices of two cores as they lie in the world, for a query that asks for many directions: rotated once, so that
-// no direction and no support point has to be. Cold queries of hulls of 8 to 20 vertices, which take six directions,
-// take 0.85 of the time.
+// The vertices of two cores as they lie in the world, for a query along many directions: rotated once, so that no
+// direction and no support point has to be. Cold queries of hulls of 8 to 20 vertices, which take six directions, take
+// 0.85 of the time.
 #pragma once
 
 #include <array>

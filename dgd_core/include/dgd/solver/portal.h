@@ -27,7 +27,7 @@ struct Portal {
   };
 
   /// @param from_center_1  The ray, to centre 2.
-  /// @param of_both        Sum of the two sets' radii; >= 0 where there is an answer.
+  /// @param of_both        Sum of the two sets' radii; >= 0 where the portal is refined.
   Portal(const Point& from_center_1, S of_both) : ray(from_center_1), radius(of_both) {}
 
   /// Puts the corners about the ray, in the ball about the centre (Alg. 1); they are no vertices.

@@ -87,10 +87,10 @@ class PortalDiscovery {
   template <bool kGuess, bool kIsCheck>
   bool DiscoverPortal(const Point& axis, const Corner& first) {
     constexpr S kSpread = S(1.5);
-    // With twice and four times as much, hulls of 241 vertices, ten times as long as thick, take 1 and 3 % more.
+    // Twice and four times as much cost hulls of 241 vertices, ten times as long as thick, 1 and 3 % more.
     constexpr S kNearSq = S(0.5);
-    // A hull's point that is farther out by less than so much is not looked at. By measurement, checks of hulls that
-    // touch take 4 % less by that, and of hulls 1 m across that are 5 to 15 cm deep as long.
+    // A hull's point that is farther out by less than so much is left out. By measurement, checks of hulls that touch
+    // take 4 % less by that, and of hulls 1 m across that are 5 to 15 cm deep as long.
     constexpr S kWellInside = S(1.2);
     const auto along = [this](const Point& direction) {
       return kGuess ? support_.GuessAlong(direction) : support_.CornerAlong(direction);

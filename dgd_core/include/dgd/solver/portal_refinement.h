@@ -1,24 +1,20 @@
 // Polytopes' queries without a frame: from a triangle that the ray passes through to the facet that it leaves by.
 //
-// It is the paper's simplex method (Alg. 2) with nothing kept but the three corners of the inner approximation, in the
-// world's coordinates. A step takes the corners' plane, a support point beyond it, and the one of three triangles with
-// that point that the ray passes through: 0.6 of the time of a step of RayIntersection, which bounds, weighs and
-// remembers as it goes, and takes fewer steps for that. Where the refinement ends is weighed once.
-// What is thin or steep there is RayIntersection's, which weighs with care.
+// It is the paper's simplex method (Alg. 2) on the three corners alone, in the world's coordinates. A step takes the
+// corners' plane, a support point beyond it, and the one of three triangles with that point that the ray passes
+// through: 0.6 of the time of a step of RayIntersection, which weighs and remembers as it goes. The last triangle alone
+// is weighed; a thin or steep one is left to RayIntersection.
 //
 // With a radius the triangles are those of the cores, moved by it along their normal. Where the ray passes outside the
 // last one, it leaves by the cylinder about an edge, or beyond that.
 //
-// Two ways to begin:
-//  * Warm, where the last query ended. From frame to frame most pairs keep their facet, or leave by one nearby; where
-//    the ray passes outside it, a point beyond the side that it crosses takes a corner's place: that of the facet
-//    beyond, where both cores know their edges (LinkedCore).
-//  * Cold (portal_discovery.h).
+// A warm start begins where the last query ended. From frame to frame most pairs keep their facet, or leave by one
+// nearby: where the ray passes outside, a point beyond the side that it crosses takes a corner's place. A cold start is
+// portal_discovery.h's.
 //
-// Kin: Minkowski portal refinement (Snethen 2008, "XenoCollide: Complex Collision Made Simple"), whose ray runs from
-// the centre to the origin as ours does, and which stops where a portal's plane is near enough to the surface. Here the
-// facet that the ray leaves by is found, its height is bounded from both sides, and the portal is kept for the next
-// frame.
+// Minkowski portal refinement (Snethen 2008, "XenoCollide: Complex Collision Made Simple") stops where a portal's plane
+// is near enough to the surface. Here the facet that the ray leaves by is found, its height is bounded from both sides,
+// and the portal is kept for the next frame.
 #pragma once
 
 #include <algorithm>
@@ -56,10 +52,9 @@ class PortalRefinement {
   bool HasFastColdStart() const { return support_.HasFastColdStart(); }
   int Iterations() const { return support_.iterations; }
 
-  /// Most evaluations of the support functions, and steps to neighbouring facets. Warm, by measurement:
-  /// with half as many, warm queries of hulls of 241 to 4516 vertices take 1.1 times as long on average, in the slowest
-  /// hundredth twice as long; with twice as many, as long. Cold, they take 27 in one of a hundred queries if no points
-  /// are looked up.
+  /// Most evaluations of the support functions, and steps to neighbouring facets. With half as many, warm queries of
+  /// hulls of 241 to 4516 vertices take 1.1 times as long; with twice as many, as long. Cold ones take 27 in one of a
+  /// hundred queries if no points are looked up.
   static constexpr int kMaxWarmSteps = 8;
   static constexpr int kMaxColdSteps = 32;
 
@@ -76,7 +71,7 @@ class PortalRefinement {
   }
 
   /// Whether the sets have a point in common.
-  /// @return whether the result says so; if not, it is of no use.
+  /// @return whether that is decided; if not, the result is of no use.
   bool SolveWarm(const Settings<S>& settings, WarmStart<S>& state, CollisionResult<S>& result) {
     return RunWarm(settings, EarlyOut::kDecided, state, result);
   }
@@ -102,7 +97,7 @@ class PortalRefinement {
     kExit,    ///< The ray leaves by these corners.
     kApart,   ///< The sets are apart by `apart_` along the last normal.
     kCommon,  ///< The ray ends below the corners, or at the common point.
-    kNone     ///< Not solved: the rest is left to RayIntersection.
+    kNone     ///< It is not solved: the rest is left to RayIntersection.
   };
 
   static bool IsLimited(const Settings<S>& settings) {
@@ -173,7 +168,7 @@ class PortalRefinement {
       if (support_.iterations >= kMaxWarmSteps || !support_.CrossEdge(portal_, static_cast<std::size_t>(exit_edge)))
         return false;
       portal_.FindPlane();
-      // Between here and there facets may be thin.
+      // Facets on the way may be thin.
       if (!(portal_.height > 0 && portal_.along > 0)) return false;
       exit_edge = portal_.FindExitEdge();
       if (exit_edge >= 0) continue;
@@ -188,7 +183,7 @@ class PortalRefinement {
                               : Refine<kEarlyOut, false>(settings, most_iterations);
   }
 
-  /// Not inlined: with its registers, a refinement without a radius takes a tenth longer.
+  /// It is not inlined: with its registers, a refinement without a radius takes a tenth longer.
   template <EarlyOut kEarlyOut>
   DGD_FLATTEN DGD_NOINLINE Termination RefineWithRadius(const Settings<S>& settings, int most_iterations) {
     return Refine<kEarlyOut, true>(settings, most_iterations);
@@ -280,7 +275,7 @@ class PortalRefinement {
     ended_at_thin_facet_ = !portal_.LeavesByFacet();
     return !ended_at_thin_facet_ && support_.HasInterior(portal_.corners[0]);
   }
-  /// Not inlined: with its registers, a refinement takes a tenth longer.
+  /// Writes the result. It is not inlined: with its registers, a refinement takes a tenth longer.
   /// @param state  Out, or null.
   DGD_NOINLINE bool Report(Termination end, const Settings<S>& settings, WarmStart<S>* state, Result<S>& result) {
     result.iterations = support_.iterations;
@@ -349,7 +344,7 @@ class PortalRefinement {
   Support support_;
   Portal portal_{support_.Ray(), support_.Radius()};
   solver_internal::PortalDiscovery<Set1, Set2> discovery_{portal_, support_};
-  S rise_;   // Height of the sets' support value over the plane of the corners, times the normal's length.
+  S rise_;   // The sets' support value over the corners' plane, times the normal's length.
   S apart_;  // Distance of the sets' supporting planes along the normal, times its length.
   bool ended_at_thin_facet_ = false;
 };

@@ -134,7 +134,7 @@ class PortalSupport {
  private:
   static constexpr bool kIsScanned = ScannedCore<typename Set1::Core> && ScannedCore<typename Set2::Core>;
 
-  /// Not inlined: with its registers, a refinement among placed vertices takes 1.07 times as long.
+  /// It is not inlined: with its registers, a refinement among placed vertices takes 1.07 times as long.
   DGD_FLATTEN DGD_NOINLINE Corner CornerOfSupportsOutOfLine(const Point& direction) const {
     return CornerOfSupports(direction);
   }

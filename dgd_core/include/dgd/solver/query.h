@@ -153,26 +153,27 @@ DGD_FLATTEN DGD_NOINLINE bool SolveByPortal(const Set1& set_1, const PoseOf<Set1
 }
 
 /// Writes the result of a query in the ray's frame.
-template <class Difference, class Query, class S, int L>
-void Report(const Difference&, const Query& query, Status status, Result<S, L>& result) {
+template <class Difference, class S, int L>
+void Report(const Difference&, const RayBounds<Difference>& bounds, Status status, Result<S, L>& result) {
   result.status = status;
-  result.lower_bound = query.LowerBound();
-  result.upper_bound = query.UpperBound();
-  result.normal = query.Normal();
-  result.separation = query.Separation();
-  result.witness_1 = query.Witness1();
-  result.witness_2 = query.Witness2();
+  result.lower_bound = bounds.LowerBound();
+  result.upper_bound = bounds.UpperBound();
+  result.normal = bounds.Normal();
+  result.separation = bounds.Separation();
+  result.witness_1 = bounds.Witness1();
+  result.witness_2 = bounds.Witness2();
   DGD_ASSERT(!(result.lower_bound > result.upper_bound));
   DGD_ASSERT(!(std::abs(result.normal.squaredNorm() - 1) > kSqrtEpsilon<S>));
 }
-template <class Difference, class Query, class S, int L>
-void Report(const Difference& difference, const Query& query, Status status, CollisionResult<S, L>& result) {
+template <class Difference, class S, int L>
+void Report(const Difference& difference, const RayBounds<Difference>& bounds, Status status,
+            CollisionResult<S, L>& result) {
   result.status = status;
   switch (status) {
     case Status::kSeparated:
-      result.normal = query.Normal();
-      result.separation = query.Separation();
-      result.point = query.PointBetween();
+      result.normal = bounds.Normal();
+      result.separation = bounds.Separation();
+      result.point = bounds.PointBetween();
       break;
     case Status::kCoincidentCenters:
       result.status = Status::kColliding;
@@ -181,7 +182,7 @@ void Report(const Difference& difference, const Query& query, Status status, Col
     case Status::kTouching:
       // Where the witness points meet when the sets are scaled by the upper bound about their centres: a point of both
       // sets if that is at most 1.
-      result.point = difference.Center1() + query.UpperBound() * (query.Witness1() - difference.Center1());
+      result.point = difference.Center1() + bounds.UpperBound() * (bounds.Witness1() - difference.Center1());
       break;
     default:
       break;
@@ -231,7 +232,7 @@ void SolveByRayIntersection(QueryMode mode, const MinkowskiDifference<Set1, Set2
     return;
   }
   result.iterations += query.Iterations();
-  Report(difference, query, status, result);
+  Report(difference, query.Bounds(), status, result);
 }
 
 /// The ray intersection from where Newton's steps give up, having met pieces too far from the optimum to fit their

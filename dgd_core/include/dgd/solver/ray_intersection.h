@@ -1,15 +1,17 @@
 // Alg. 3 of the paper as named steps.
 #pragma once
 
-#include <algorithm>
+#include <array>
+#include <optional>
+#include <type_traits>
 
 #include "dgd/inlining.h"
 #include "dgd/query_types.h"
 #include "dgd/solver/first_normal.h"
 #include "dgd/solver/inner_approximation.h"
+#include "dgd/solver/inner_update.h"
 #include "dgd/solver/minkowski_difference.h"
-#include "dgd/solver/outer_approximation.h"
-#include "dgd/solver/query_mode.h"
+#include "dgd/solver/ray_bounds.h"
 #include "dgd/solver/support_pool.h"
 
 namespace dgd {
@@ -24,58 +26,37 @@ class RayIntersection {
   using Point = Vector<S, L>;
 
   RayIntersection(const Difference& difference, const Settings<S>& settings)
-      : difference_(difference), settings_(settings), inner_(Start()) {}
+      : difference_(difference), settings_(settings), inner_(Start()), bounds_(difference, settings, inner_.Height()) {}
 
   /// Solves the query of a valid difference.
   /// @param observer  Called with an Iterate after each iteration.
   template <class Observer>
   Status Solve(QueryMode mode, WarmStart<S, L>* warm_start, Observer& observer) {
     if (!(difference_.Inradius() > 0)) return Status::kNoInterior;
-    const bool coincident = !difference_.HasRay();
+    const bool has_ray = difference_.HasRay();
     const Status status =
-        coincident ? MeasureAlongAnyNormal(warm_start) : Improve(mode, FirstDirection(warm_start), observer);
-    if (!coincident && status != Status::kSeparated) FinalizeBasis();
+        has_ray ? Improve(mode, FirstDirection(warm_start), observer) : MeasureAlongAnyNormal(warm_start);
+    if (has_ray) FindWitness(status);
     if (warm_start != nullptr) Remember(status, *warm_start);
     return status;
   }
 
   int Iterations() const { return iterations_; }
-  /// Lower bound; at most the upper one, also where roundoff puts the two heights in the wrong order.
-  S LowerBound() const {
-    return coincident_ ? S(0) : difference_.CenterDistance() / std::max(outer_.Height(), Inner().Height());
-  }
-  S UpperBound() const { return coincident_ ? S(0) : difference_.CenterDistance() / Inner().Height(); }
-  /// Normal of the lowest supporting plane so far; ray frame, unit length.
-  const Point& NormalInFrame() const { return outer_.Normal(); }
-  /// World.
-  Point Normal() const { return difference_.DirectionToWorld(outer_.Normal()); }
-  /// Distance of the supporting planes along the normal, metres.
-  S Separation() const { return outer_.Normal()[L - 1] * difference_.CenterDistance() - outer_.SupportValue(); }
-
-  Point Witness1() const {
-    return coincident_ ? difference_.Center1() : difference_.World1(Inner().CorePoint1(), Inner().Normal());
-  }
-  Point Witness2() const {
-    return coincident_ ? difference_.Center2() : difference_.World2(Inner().CorePoint2(), Inner().Normal());
-  }
-  /// A point half way between the supporting planes along the normal.
-  Point PointBetween() const {
-    return difference_.World1(outer_.SupportPoint1(), outer_.Normal()) + Separation() / 2 * Normal();
-  }
+  /// What the query has proven.
+  const RayBounds<Difference>& Bounds() const { return bounds_; }
 
  private:
   using Feature = typename Difference::Feature;
 
-  /// With p = 0 the growth distance is 0 and every direction is a normal: take the last one, or x.
+  /// Where p = 0, the growth distance is 0 and every direction is a normal: the last one is taken, or x.
   Status MeasureAlongAnyNormal(const WarmStart<S, L>* warm_start) {
-    coincident_ = true;
     Point normal = Point::UnitX();
     if (warm_start != nullptr && HasNormal(*warm_start)) {
       normal = difference_.DirectionToFrame(warm_start->normal_1);
     }
     iterations_ = 1;
     const Feature support = difference_.Support(normal, normal);
-    outer_.Adopt(normal, normal.dot(support.point) + difference_.ConvexRadius(), support);
+    bounds_.LowerOuter(normal, normal.dot(support.point) + difference_.ConvexRadius(), support.on_1);
     return Status::kCoincidentCenters;
   }
 
@@ -85,21 +66,21 @@ class RayIntersection {
     Point direction = normal;
     for (;;) {
       if (!(normal[L - 1] > 0)) return Status::kStalled;  // Also for NaN.
-      const S last_outer = outer_.Height(), last_inner = inner_.Height();
+      const S last_outer = bounds_.Outer(), last_inner = inner_.Height();
       CutAlong(normal, direction);
-      const Status verdict = Verdict(mode);
-      // A plane between the sets tells all the same.
+      std::optional<Status> verdict = bounds_.Verdict(mode);
+      // A plane between the sets is certain all the same.
       if (iterations_ == 1 && verdict != Status::kSeparated && !difference_.HasCertainInterior(support_)) {
         return Status::kNoInterior;
       }
-      if (verdict != kUndecided) return Report(observer, verdict);
-      if (iterations_ == 1) RememberStart();
-      RaiseInner();
-      // Polytopes end with a supporting plane on the inner approximation; curved cores once a point is near enough.
-      if constexpr (Difference::kIsSmooth) {
-        if (const Status status = Verdict(mode); status != kUndecided) return Report(observer, status);
+      if (!verdict) {
+        if (iterations_ == 1) RememberStart();
+        RaiseInner();
+        // Polytopes end with a supporting plane on the inner approximation; curved cores once a point is near enough.
+        if constexpr (Difference::kIsSmooth) verdict = bounds_.Verdict(mode);
       }
-      Report(observer, kUndecided);
+      Report(observer);
+      if (verdict) return *verdict;
       if (iterations_ >= settings_.max_iterations) return Status::kIterationLimit;
       // Along the normal searched last there is nothing new: the inner approximation is as high as roundoff lets it be.
       if (normal == inner_.Normal()) {
@@ -108,7 +89,7 @@ class RayIntersection {
       } else {
         normal = NextNormal(last_outer, last_inner);
       }
-      // Polytopes know no other normal than the inner approximation's, whose direction is there before its length.
+      // Polytopes have no other normal than the inner approximation's, whose direction is there before its length.
       direction = Difference::kIsPolytope ? inner_.Direction() : normal;
     }
   }
@@ -116,7 +97,7 @@ class RayIntersection {
   /// The normal of the inner approximation, or half way to it.
   Point NextNormal([[maybe_unused]] S last_outer, [[maybe_unused]] S last_inner) {
     if constexpr (!Difference::kIsPolytope) {
-      const bool is_slow = outer_.Height() - inner_.Height() > kSlow * (last_outer - last_inner);
+      const bool is_slow = bounds_.Outer() - inner_.Height() > kSlow * (last_outer - last_inner);
       is_between_ = iterations_ >= kPatience && is_slow && !is_between_;
       if (is_between_) return NormalBetween();
     }
@@ -130,13 +111,13 @@ class RayIntersection {
   /// column generation algorithms"). The soak's queries of 100 iterations take 10 to 30 with it; with a bisector of
   /// unit normals, which stays near the flatter one, up to 100.
   Point NormalBetween() const {
-    const Point &best = outer_.Normal(), &next = inner_.Normal();
+    const Point &best = bounds_.OuterDirection(), &next = inner_.Normal();
     return (next[L - 1] * best + best[L - 1] * next).normalized();
   }
 
   /// A basis can lose its digits: points of the same piece come close together, and steep or thin facets of polytopes
   /// magnify the roundoff of their corners. Then a new basis finishes the query; the bounds keep what was reached.
-  /// Once.
+  /// @return false the second time.
   DGD_COLD bool Restart() {
     if (has_restarted_) return false;
     has_restarted_ = true;
@@ -145,16 +126,13 @@ class RayIntersection {
     return true;
   }
 
-  /// The higher of the inner approximations before and after a restart.
-  const InnerApproximation<S, L>& Inner() const {
-    return has_restarted_ && reached_.Height() > inner_.Height() ? reached_ : inner_;
-  }
-
-  /// After the last direction, where the answer comes with witness points: the basis that the bound is from, and its
-  /// best weights.
-  void FinalizeBasis() {
+  /// Finds the witness points, after the last direction: those of the basis that the bound is from, by its best weights
+  /// where they are a result.
+  void FindWitness(Status status) {
     if (has_restarted_ && reached_.Height() > inner_.Height()) inner_ = reached_;
-    inner_.MoveToExit();
+    if (status != Status::kSeparated) inner_.MoveToExit();
+    bounds_.SetWitness(difference_.OnSet1(inner_.CorePoint1(), inner_.Normal()),
+                       difference_.OnSet2(inner_.CorePoint2(), inner_.Normal()));
   }
 
   /// Alg. 1: a facet in the ball inside the support points, or the difference of the centres if that is thin.
@@ -171,7 +149,8 @@ class RayIntersection {
     ++iterations_;
     support_ = difference_.Support(direction, normal, hint_1_, hint_2_);
     hint_1_ = hint_2_ = kNoFeature;
-    outer_.Cut(normal, normal.dot(support_.point) + difference_.ConvexRadius(), support_);
+    const S support_value = normal.dot(support_.point) + difference_.ConvexRadius();
+    bounds_.LowerOuter(normal, support_value / normal[L - 1], difference_.OnSet1(support_.on_1, normal));
   }
 
   /// Alg. 2, line 3: with the support point, and then with its combinations with the points of each set.
@@ -181,12 +160,14 @@ class RayIntersection {
     if constexpr (Difference::kIsSmooth) {
       if (!inner_.IsAbove(support_.point, 0)) return;
     }
-    if (!inner_.Insert(support_, outer_.Height())) return;
+    InnerUpdate update(inner_, bounds_.Outer());
+    if (!update.Insert(support_)) return;
     for (int i = 0; i < kMaxCombinations; ++i) {
       const Feature combined = pool_.Farthest(inner_.Direction());
-      if (!inner_.IsWorthwhile(combined.point, outer_.Height())) break;
-      if (!inner_.Insert(combined, outer_.Height())) break;
+      if (!inner_.IsWorthwhile(combined.point, bounds_.Outer())) break;
+      if (!update.Insert(combined)) break;
     }
+    bounds_.RaiseInner(inner_.Height());
   }
 
   /// The points that a query begins with belong to the pool, too.
@@ -220,53 +201,38 @@ class RayIntersection {
             difference_.FromVertices(warm_start.features_1[i], warm_start.features_2[i]);
       }
       if (size > 0) {
-        if (!inner_.AdoptBasis(basis, size)) InsertEach(basis, size);
+        if (!InnerUpdate(inner_).AdoptBasis(basis, size)) InsertEach(basis, size);
+        bounds_.RaiseInner(inner_.Height());
         return inner_.Normal();
       }
     }
     return FirstNormal(difference_, &warm_start);
   }
 
-  /// Not inlined: the rarer of two ways, and long.
+  /// It is not inlined: the rarer of two ways, and long.
   DGD_NOINLINE void InsertEach(const std::array<Feature, L>& basis, int size) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) inner_.Insert(basis[i]);
-  }
-
-  Status Verdict(QueryMode mode) const {
-    if (Separation() > settings_.separation_limit) return Status::kSeparated;
-    const bool converged = outer_.Height() <= Inner().Height() * (1 + settings_.relative_tolerance);
-    if (mode == QueryMode::kCollision) {
-      if (Inner().Height() >= difference_.CenterDistance()) return Status::kColliding;
-      if (Separation() > 0) return Status::kSeparated;
-      return converged ? Status::kTouching : kUndecided;
-    }
-    return converged ? Status::kOptimal : kUndecided;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) InnerUpdate(inner_).Insert(basis[i]);
   }
 
   template <class Observer>
-  Status Report(Observer& observer, Status status) const {
+  void Report(Observer& observer) const {
     if constexpr (!std::is_same_v<Observer, const NoObserver>) {
-      observer(Iterate<S, L>{iterations_, LowerBound(), UpperBound(), Normal()});
+      observer(Iterate<S, L>{iterations_, bounds_.LowerBound(), bounds_.UpperBound(), bounds_.Normal()});
     }
-    return status;
   }
 
   /// A pair that is apart remembers its normal only: the next query tries that first, and needs no basis then.
   void Remember(Status status, WarmStart<S, L>& warm_start) const {
-    warm_start.normal_1 = difference_.NormalOfSet1(outer_.Normal());
+    warm_start.normal_1 = difference_.NormalOfSet1(bounds_.OuterDirection());
     warm_start.size = 0;
     warm_start.features_1[0] = support_.feature_1;
     warm_start.features_2[0] = support_.feature_2;
     if (status == Status::kSeparated) return;
-    const InnerApproximation<S, L>& inner = Inner();
-    for (int i = 0; i < inner.Size(); ++i) {
-      if (inner[i].feature_1 == kNoFeature || inner[i].feature_2 == kNoFeature) continue;
-      warm_start.Add(inner[i].feature_1, inner[i].feature_2);
+    for (int i = 0; i < inner_.Size(); ++i) {
+      if (inner_[i].feature_1 == kNoFeature || inner_[i].feature_2 == kNoFeature) continue;
+      warm_start.Add(inner_[i].feature_1, inner_[i].feature_2);
     }
   }
-
-  /// Not a status that a query ends with: the bounds have not decided yet.
-  static constexpr Status kUndecided = Status::kInvalidInput;
 
   /// Cores with less inradius than this part of their radii begin at a point: segments and points have none.
   static constexpr S kThin = S(0.1);
@@ -280,13 +246,12 @@ class RayIntersection {
   const Difference& difference_;
   const Settings<S>& settings_;
   InnerApproximation<S, L> inner_;
-  InnerApproximation<S, L> reached_;  // Before a restart.
-  OuterApproximation<S, L> outer_;
+  InnerApproximation<S, L> reached_;  // What was reached before a restart.
+  RayBounds<Difference> bounds_;
   SupportPool<S, L> pool_;
   Feature support_;                                      // Support point of the last direction.
   FeatureId hint_1_ = kNoFeature, hint_2_ = kNoFeature;  // Hints for the first one, from the last query.
   int iterations_ = 0;
-  bool coincident_ = false;
   bool has_restarted_ = false;
   bool is_between_ = false;  // The next direction is not the inner approximation's.
 };

@@ -1,18 +1,13 @@
-// What the support points of a query say of each set alone.
+// The support points of a query, of each set alone.
 //
-// A support point of C comes from one point of each set. But any point of set 1 less any point of set 2 belongs to C:
-// k evaluations of the support functions give not k points of C but k^2, and the inner approximation may use all of
-// them without asking the sets again. In the dual, the support function of C is the sum of the sets' (eq. 5), and a
-// model of each term, whose planes combine freely, approaches a sum's minimum in fewer steps than a model of the sum:
-// these are the disaggregated cutting planes of the multicut method (Birge and Louveaux 1988, "A multicut algorithm for
-// two-stage stochastic linear programs").
+// Any point of set 1 less any point of set 2 belongs to C: k evaluations of the support functions give not k points of
+// C but k^2. In the dual, the support function of C is the sum of the sets' (eq. 5), and models of each term approach
+// the minimum in fewer steps than a model of the sum: these are the disaggregated cutting planes of the multicut method
+// (Birge and Louveaux 1988, "A multicut algorithm for two-stage stochastic linear programs"). The latest few are kept.
 //
-// With all points kept, each direction that the inner approximation names brings a new point of at least one set or
-// ends the query: polytopes of m and n vertices take at most m + n directions, of m * n pairs of vertices. Here the
-// latest few are kept; termination is the inner approximation's then, whose height rises with each point it takes.
 // Measured: custom sets of hulls take a third fewer directions by it, sharp ones 6 % fewer instructions; smooth custom
-// sets, whose points are met once, up to 2.3 times the instructions. What it is kept for is how exact the last normal
-// is: without it, bodies of unequal spheres and of apps' own shapes that lie on boxes creep (tests/physics, rest and
+// sets, whose points are met once, up to 2.3 times the instructions. It is kept for how exact the last normal is:
+// without it, bodies of unequal spheres and of apps' own shapes that lie on boxes creep (tests/physics, rest and
 // incline).
 #pragma once
 
@@ -59,7 +54,7 @@ class SupportPool {
     S height = direction.dot(points[0].point);
     for (std::size_t i = 1; i < size_; ++i) {
       const S other = direction.dot(points[i].point);
-      // It has no branch: which one is higher is what no predictor knows.
+      // There is no branch: which one is higher cannot be predicted.
       farthest = other > height ? i : farthest;
       height = std::max(height, other);
     }

@@ -51,7 +51,7 @@ inline constexpr S kCoincidence = kEpsilon<S>;
 
 /// Sizes, in metres, between which products of four lengths, as barycentric weights and their heights are, are normal
 /// numbers: the fourth roots of the least and of the largest number, with room for most of the digits; float, which has
-/// none to spare, gives up a few, so that micrometres are in range. Below, answers were seen that the certificate
+/// none to spare, gives up a few, so that micrometres are in range. Below, results were seen that the certificate
 /// refutes, and wrong ones to yes or no. Test: HardCases, subnormal_sizes.
 template <class S>
 inline constexpr S kLeastSize = S(1e-73);

@@ -148,12 +148,12 @@ void MoveFromLongestSide(const std::array<Vector<S, D>, 3>& corners, const Vecto
   const S foot = std::clamp(slanted.dot(side) / length_sq, S(0), S(1));
   const Vector<S, D> altitude = slanted - foot * side;
   const S altitude_sq = altitude.squaredNorm();
-  if (!(altitude_sq > 0)) return;  // On a line.
+  if (!(altitude_sq > 0)) return;  // Corners on a line.
   const Vector<S, D> off = OffTarget(corners, weights, target);
   S shift = std::max(-weights[top], -off.dot(altitude) / altitude_sq);
   if (foot < 1) shift = std::min(shift, weights[from] / (1 - foot));
   if (foot > 0) shift = std::min(shift, weights[to] / foot);
-  if (!std::isfinite(shift)) return;  // Or nearly so.
+  if (!std::isfinite(shift)) return;  // Corners nearly on a line.
   weights[top] += shift;
   weights[from] -= shift * (1 - foot);
   weights[to] -= shift * foot;
