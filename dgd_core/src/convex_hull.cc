@@ -171,7 +171,7 @@ class QhullRun {
                         messages_) == qh_ERRnone;
   }
 
-  /// The first line of what Qhull said.
+  /// The first line of Qhull's message.
   std::string Message() {
     std::fflush(messages_);
     const std::string text(text_ == nullptr ? "" : text_, text_ == nullptr ? 0 : length_);
@@ -208,8 +208,8 @@ class QhullCoordinates {
   }
 
  private:
-  /// Of the extent: far above the 6e-11 at which a vertex was lost. Thicker sets keep their own coordinates, and the
-  /// exact normals of boxes.
+  /// Sets thinner than this part of their extent are stretched: far above the 6e-11 at which a vertex was lost. Thicker
+  /// ones keep their own coordinates, and the exact normals of boxes.
   static constexpr double kThin = 1e-3;
 
   Vector3d origin_;
@@ -227,7 +227,7 @@ void CopyFacets(qhT* qh, std::span<const Vector3d> points, const QhullCoordinate
     vertexT *vertex, **vertexp;
     FOREACHvertex_(ordered) corners.push_back(static_cast<std::size_t>(qh_pointid(qh, vertex->point)));
     qh_settempfree(qh, &ordered);
-    if (corners.size() < 3) continue;  // And leaves no vertex behind that no facet has.
+    if (corners.size() < 3) continue;  // It leaves no vertex behind that no facet has.
 
     std::vector<VertexId> loop;
     for (const std::size_t point : corners) {
@@ -334,7 +334,7 @@ void AddFacet(ConvexHull& hull, const Vector3d& normal, std::span<const VertexId
   hull.facet_start.push_back(static_cast<int>(hull.facet_vertices.size()));
 }
 
-// By counting sort over facet -> vertices.
+// It is a counting sort over facet -> vertices.
 void InvertFacets(ConvexHull& hull) {
   hull.vertex_start.assign(hull.vertices.size() + 1, 0);
   for (const VertexId vertex : hull.facet_vertices) ++hull.vertex_start[vertex + 1];

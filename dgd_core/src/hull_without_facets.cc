@@ -43,7 +43,7 @@ double InradiusAboutMean(std::span<const Vector3d> points, const Vector3d& mean)
   covariance /= static_cast<double>(points.size());
   const double extent = std::sqrt(extent_sq);
   if (!(extent >= kLeastExtent && extent <= kMostExtent)) return 0;
-  // Of thinner sets, the inverse is roundoff. False for NaN.
+  // The inverse for thinner sets is roundoff. False for NaN.
   constexpr double kLeastVolume = 1e-12;
   const double size = covariance.trace();
   if (!(covariance.determinant() > kLeastVolume * size * size * size)) return 0;

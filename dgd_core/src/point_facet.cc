@@ -45,7 +45,7 @@ class FacetsAround {
   /// A triangle of the facet whose normal is nearest to the direction; nothing where roundoff leaves no triangle.
   std::optional<Triangle> FindNearest() const {
     Vector3d normal = direction_;
-    // About any axis, the supporting plane turns to where an edge is.
+    // The supporting plane turns to where an edge is about any axis.
     std::optional<VertexId> edge = TurnAbout(normal.unitOrthogonal(), normal);
     std::optional<Triangle> nearest;
     double best_alignment = -std::numeric_limits<double>::infinity();
@@ -110,7 +110,7 @@ class FacetsAround {
       } else if (met || normal == upside_down) {
         break;
       } else {
-        normal = upside_down;  // By more than a right angle, then.
+        normal = upside_down;  // It turns by more than a right angle, then.
         scale_sq = normal.squaredNorm();
       }
     }
@@ -150,7 +150,7 @@ class PlanarPolygon {
     const auto away_sq = [&](VertexId i) { return (points_[i] - points_[members[0]]).squaredNorm(); };
     const VertexId first = std::ranges::max(members, {}, away_sq);
     std::optional<VertexId> corner = first;
-    // By roundoff, the march may not come back to where it began.
+    // Roundoff may keep the march from coming back to where it began.
     while (corner && facet.size < members.size()) {
       facet.vertices[facet.size++] = *corner;
       std::optional<VertexId> next;
@@ -214,7 +214,7 @@ class PlanarPolygon {
 bool IsThin(std::span<const Vector3d> points, const std::array<VertexId, 3>& triangle) {
   // Metres that a point a metre away is off by: a tenth of float's roundoff.
   constexpr double kMostTilt = 1e-8;
-  return !(TiltSq(points, triangle) <= kMostTilt * kMostTilt);  // Also where it has no area.
+  return !(TiltSq(points, triangle) <= kMostTilt * kMostTilt);  // True also where it has no area.
 }
 
 Vector3d PolygonNormal(std::span<const Vector3d> points, std::span<const VertexId> vertices) {
@@ -247,7 +247,7 @@ std::optional<PointFacet> FacetOfTriangle(std::span<const Vector3d> points, cons
   } else {
     polygon.Sample(kept, facet);
   }
-  // Of points that are one but for roundoff, it may be no polygon.
+  // Points that are one but for roundoff may make no polygon.
   if (!polygon.IsAcross(PolygonNormal(points, facet.Vertices()))) return std::nullopt;
   PutLowestFirst(std::span(facet.vertices.data(), facet.size));
   return facet;

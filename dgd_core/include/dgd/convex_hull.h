@@ -36,14 +36,14 @@ inline constexpr double kMostCoordinate = 1e75;
 /// @param points  Metres, in any order, duplicates and interior points allowed; at least one, all within
 ///                kMostCoordinate of the origin along each axis.
 /// Throws std::invalid_argument if there are none or one is not finite or farther away, naming its index; or if Qhull
-/// finds no hull of points that are clearly not flat, saying why. Flat input is not an error: the dimension says it.
+/// finds no hull of points that are clearly not flat, saying why. Flat input is not an error: it has a lower dimension.
 DGD_EXPORT ConvexHull BuildConvexHull(std::span<const Eigen::Vector3d> points);
 
 /// Points as a hull that has no facets yet: what support functions need, in a hundredth of the time. Its vertices are
 /// the points in their order, interior ones among them; of few points, duplicates are dropped. Its centre is their
 /// mean.
 /// @return nothing for points that are flat, or thin, or fewer than four, or not all within kMostCoordinate:
-///         BuildConvexHull() says what these are. Nothing either for up to kMostScannedVertices points that are flat or
+///         these are BuildConvexHull()'s. Nothing either for up to kMostScannedVertices points that are flat or
 ///         long as IsElongated() has it: the facets of such a hull are needed from the first query on.
 DGD_EXPORT std::optional<ConvexHull> HullWithoutFacets(std::span<const Eigen::Vector3d> points);
 

@@ -1,4 +1,4 @@
-// What the solver asks of a convex set, and the set it works on: a core with a radius.
+// What the solver requires of a convex set, and the set it works on: a core with a radius.
 //
 // A set is core + ball(radius). The core is any type that fulfils ConvexCore; the radius is kept apart from it because
 // a rounded polytope then still has finitely many features (see solver/inner_approximation.h), which it has not when
@@ -17,8 +17,8 @@
 
 namespace dgd {
 
-/// 3 or 2: the dimension of the space that a core lives in. Constrained, so that what has no centre is no ConvexCore
-/// rather than an error: `RoundedSet ball = Sphere(1.0)` asks that of a set.
+/// The dimension of the space that a core lives in, 3 or 2. It is constrained, so that what has no centre is no
+/// ConvexCore rather than an error, as in `RoundedSet ball = Sphere(1.0)`.
 template <class Core>
 requires requires(const Core& core) { core.Center(); }
 inline constexpr int kDimension =
@@ -33,7 +33,7 @@ using VectorOf = Vector<typename Core::Scalar, kDimension<Core>>;
 ///  * Support(d): a point of the core that maximises <d, x>; d is finite and need not have unit length. For d = 0 any
 ///    point of the core.
 ///  * Center(): a point of the core, in its relative interior: the set is scaled about it. An Eigen vector, by value or
-///    by reference, whose size says the dimension.
+///    by reference, whose size is the dimension.
 ///  * Inradius(): a lower bound, safe against roundoff, on the radius of the ball about Center() inside the core;
 ///    0 for flat cores. Metres.
 template <class Core>
@@ -43,8 +43,7 @@ concept ConvexCore = requires(const Core& core, const VectorOf<Core>& direction)
   { core.Inradius() } -> std::convertible_to<typename Core::Scalar>;
 };
 
-/// What a certificate asks of a core besides, each by a formula of its own, so that it does not repeat an error of
-/// Support():
+/// A core that a certificate can be made for: by formulas of their own, which do not repeat an error of Support().
 ///  * SupportValue(d): max <d, x> over the core; d need not have unit length. Metres times the direction's unit.
 ///  * Distance(x): Euclidean distance of a point to the core, 0 inside; metres.
 template <class Core>
@@ -64,7 +63,7 @@ concept VertexCore = ConvexCore<Core> && requires(const Core& core, VertexId ver
 /// second-order steps need. Support(d) names the piece that its point is on.
 ///  * PieceSupport(piece, d): the point of that piece that maximises <d, x>, a point of the core whether or not another
 ///    piece reaches farther; and its derivative by d, which need not have unit length.
-///  * PieceCount(): pieces are numbered from 0. Of one alone, second-order steps ask PieceSupport() only.
+///  * PieceCount(): pieces are numbered from 0. A core of one piece needs PieceSupport() only.
 template <class Core>
 concept SmoothCore = ConvexCore<Core> && requires(const Core& core, FeatureId piece, const VectorOf<Core>& direction) {
   { core.PieceSupport(piece, direction) } -> std::same_as<CurvedPoint<typename Core::Scalar, kDimension<Core>>>;
@@ -97,7 +96,7 @@ SupportPoint<typename Core::Scalar, kDimension<Core>> SupportNear(const Core& co
   }
 }
 
-/// A core of many vertices that knows at once which of them is about the farthest.
+/// A core of many vertices that looks up which of them is about the farthest.
 ///  * GuessSupport(d): a vertex that may be Support(d), or near it.
 ///  * IsGuessing(): whether that is faster than Support(d).
 template <class Core>
@@ -125,11 +124,11 @@ SupportPoint<typename Core::Scalar, kDimension<Core>> GuessSupport(const Core& c
   }
 }
 
-/// A core of many vertices that knows which of them are next to each other. A plane that lies on the core along an edge
-/// and turns about that (gift wrapping) meets next what the steepest way leads to.
+/// A core of many vertices with links from each to those next to it. A plane that lies on the core along an edge and
+/// turns about that (gift wrapping) meets next what the steepest way leads to.
 ///  * SteepestAscent(v, up, outwards): of the vertices next to v that are farther along `outwards`, the one to which
 ///    the way rises most along `up` for each step outwards. The two are the core's frame's, finite, of any length.
-///  * IsLinked(): whether it knows.
+///  * IsLinked(): whether there are links.
 template <class Core>
 concept LinkedCore = VertexCore<Core> && requires(const Core& core, VertexId vertex, const VectorOf<Core>& direction) {
   { core.SteepestAscent(vertex, direction, direction) } -> std::same_as<EdgeSlope<typename Core::Scalar>>;
@@ -139,7 +138,7 @@ concept LinkedCore = VertexCore<Core> && requires(const Core& core, VertexId ver
 template <class S>
 class PointArrays;
 
-/// A core of few vertices, whose support function looks at all of them.
+/// A core of few vertices, whose support function scans all of them.
 ///  * Scan(): the vertices in their order (shapes/vertex_scan.h), core's frame, metres; null if they are too many for
 ///    that.
 template <class Core>
@@ -147,8 +146,8 @@ concept ScannedCore = VertexCore<Core> && requires(const Core& core) {
   { core.Scan() } -> std::same_as<const PointArrays<typename Core::Scalar>*>;
 };
 
-/// A core that knows about how far it reaches in which direction: a cold query of a curved set begins with a normal
-/// that is guessed from this.
+/// A core that has an ellipsoid about as long as itself: a cold query of a curved set begins with a normal that is
+/// guessed from it.
 ///  * Spread(): a symmetric, positive semidefinite matrix M, full or diagonal; core's frame, metres squared. About
 ///    Center(), the core reaches about as far as the ellipsoid does whose support value along d is sqrt(<d, M d>). Any
 ///    will do; a good one saves a direction.
@@ -157,7 +156,7 @@ concept SpreadCore = ConvexCore<Core> && requires(const Core& core, const Vector
   { core.Spread() * vector } -> std::convertible_to<VectorOf<Core>>;
 };
 
-/// The spread of a core that does not know its own: of the ball inside it.
+/// The core's spread, or that of the ball inside it.
 template <ConvexCore Core>
 auto SpreadOf(const Core& core) {
   if constexpr (SpreadCore<Core>) {

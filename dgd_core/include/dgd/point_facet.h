@@ -14,7 +14,7 @@ namespace dgd {
 
 /// Places of the facet's vertices in the list of points, counterclockwise seen from outside, the lowest place first.
 struct PointFacet {
-  /// Of a set that is scanned, a facet may have all points. Facets of more are thinned.
+  /// A facet may have all points of a set that is scanned. Facets of more are thinned.
   static constexpr std::size_t kMaxVertices = kMostScannedVertices;
 
   std::array<VertexId, kMaxVertices> vertices;
@@ -23,8 +23,8 @@ struct PointFacet {
   std::span<const VertexId> Vertices() const { return {vertices.data(), size}; }
 };
 
-/// Of the facets around a support point, the one whose normal is nearest to the direction that it is the support point
-/// of; of equals, the one whose vertices come first. Turns a supporting plane about the point, from edge to edge (gift
+/// Finds the facet around a support point whose normal is nearest to the direction that it is the support point of; of
+/// equals, the one whose vertices come first. Turns a supporting plane about the point, from edge to edge (gift
 /// wrapping: Chand and Kapur 1970, "An algorithm for convex polytopes"), which takes some scans of all points for each
 /// edge at it.
 /// @param points     Metres; their hull is solid, and clearly so.

@@ -15,7 +15,7 @@ namespace dgd {
 /// How a query ended. Every field of the result is set whatever the status.
 enum class Status : std::uint8_t {
   kOptimal,            ///< The bounds agree within the tolerance.
-  kSeparated,          ///< Stopped early: apart by more than asked for, along `normal`.
+  kSeparated,          ///< Stopped early: apart by more than the limit, along `normal`.
   kColliding,          ///< Collision check only: a common point is certain.
   kTouching,           ///< Collision check only: the bounds agree within the tolerance, and 1 lies between them.
   kCoincidentCenters,  ///< The centres coincide within roundoff: growth distance 0, and any normal is as good.

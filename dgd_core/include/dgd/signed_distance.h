@@ -115,9 +115,9 @@ SignedDistanceResult<typename Set1::Scalar> SignedDistance(const Set1& set_1, co
 }
 
 /// The same without a growth distance, from frame to frame: of polytopes, apart or in overlap, and of curved cores that
-/// stay apart, sets that overlap by less than their radii included. What holds the answer, a face or a pair of edges,
-/// is most often the same for many frames, and costs one evaluation of the support functions: polytopes that are apart
-/// take 0.3 of the time from scratch, in overlap 0.4 to 0.7 (tests/bench, shape_pairs).
+/// stay apart, sets that overlap by less than their radii included. The face or the pair of edges that the distance is
+/// at is most often the same for many frames, and costs one evaluation of the support functions: polytopes that are
+/// apart take 0.3 of the time from scratch, in overlap 0.4 to 0.7 (tests/bench, shape_pairs).
 /// @param state     In and out: of SignedDistance() or of the last call. Left as it was if the call fails. Curved cores
 ///                  need none, and take two to four times as long without; for polytopes the growth distance is the
 ///                  better start, and without a state this fails.

@@ -1,9 +1,9 @@
 // When two moving sets touch first: a sweep that is never late.
 //
 // The growth distance at one moment brings a plane between the sets; sweep/plane_sweep.h proves how long that plane
-// keeps them apart; there the next plane is asked for. At contact the growth distance's normal is the contact's own, so
-// the planes close in on the impact as Newton's method does, and for polytopes that do not turn they end after
-// finitely many.
+// keeps them apart; there the next plane is found. At contact the growth distance's normal is the contact's own, so the
+// planes close in on the impact as Newton's method does, and for polytopes that do not turn they end after finitely
+// many.
 #pragma once
 
 #include "dgd/assert.h"
@@ -36,9 +36,9 @@ struct TimeOfImpactResult {
   int planes = 0;      ///< Tried, each at the cost of a growth distance.
   int iterations = 0;  ///< Evaluations of the support functions: for planes, and for how long these last.
 
-  /// In [0, 1]: at no earlier time do the sets touch.
+  /// A time in [0, 1]: at no earlier one do the sets touch.
   S time = 0;
-  /// At that time (kSeparated: at the last plane's): unit normal from set 1 to set 2, the separation along it, and a
+  /// Unit normal from set 1 to set 2 at that time (kSeparated: at the last plane's), the separation along it, and a
   /// point of either set that are so far apart. World, metres.
   Vector3<S> normal = Vector3<S>::UnitX();
   S separation = 0;
@@ -46,7 +46,7 @@ struct TimeOfImpactResult {
   Vector3<S> witness_2 = Vector3<S>::Zero();
 };
 
-/// Relative tolerance of a growth distance that is asked for its plane alone, which is the sets' own at impact: what
+/// Relative tolerance of a growth distance that serves for its plane alone, which is the sets' own at impact: what
 /// roundoff lets be proven.
 template <class S>
 inline constexpr S kPlaneTolerance = 1024 * kEpsilon<S>;

@@ -43,7 +43,7 @@ using FeatureId = std::uint32_t;
 /// A feature that is a vertex.
 using VertexId = FeatureId;
 
-/// The core does not tell its features apart.
+/// The feature of a core that does not distinguish any.
 inline constexpr FeatureId kNoFeature = std::numeric_limits<FeatureId>::max();
 
 /// Value of a support function: a point of the set that is farthest along the direction, in the set's own frame.

@@ -98,7 +98,7 @@ class Boundary {
     S length = longest.norm();
     if (!(length > least_extent)) return {};
     if constexpr (L == 3) {
-      // Once more along it: what the surface curves across an edge is then of second order in the angle.
+      // The second time is along it: what the surface curves across an edge is then of second order in the angle.
       longest = Width(longest / length);
       length = longest.norm();
       if (!(length > least_extent)) return {};

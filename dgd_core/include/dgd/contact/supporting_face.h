@@ -10,9 +10,8 @@
 namespace dgd {
 
 /// A convex polygon (three points or more, in order around it), a segment (two), a point (one), or nothing where the
-/// core does not know its faces; in the core's frame.
-/// It holds the support point of the direction it was asked for, or a point of the same height within the core's own
-/// discretisation (discs are given as inscribed polygons).
+/// core has no faces; in the core's frame. It holds the support point along its direction, or a point of the same
+/// height within the core's own discretisation (discs are given as inscribed polygons).
 template <class Scalar>
 struct SupportingFace {
   /// A facet with more vertices is thinned to so many: enough for a disc whose rim deviates by 2 % of its radius.

@@ -50,7 +50,7 @@ class CubeMap {
 
   /// @param across  From the middle of the face, in cells.
   unsigned Place(S across) const {
-    // In this order the last one for NaN, without a branch.
+    // This order gives the last one for NaN, without a branch.
     S place = half_side_ + across;
     place = place < last_place_ ? place : last_place_;
     place = place > 0 ? place : S(0);

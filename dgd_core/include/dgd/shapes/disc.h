@@ -26,7 +26,7 @@ Vector3<S> DiscSupport(const Vector3<S>& direction, S radius, S z) {
 }
 
 /// DiscSupport() as a smooth piece. A disc of radius 0 is a point, which does not move with the direction; along the
-/// axis the rim has no derivative, and NaN says so.
+/// axis the rim has no derivative: it is NaN there.
 template <class S>
 CurvedPoint<S> RimSupport(const Vector3<S>& direction, S radius, S z) {
   CurvedPoint<S> rim{{radius, 0, z}, Matrix3<S>::Zero()};

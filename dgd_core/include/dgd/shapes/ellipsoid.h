@@ -103,8 +103,8 @@ class Ellipsoid {
 
 template <class S, int L>
 S Ellipsoid<S, L>::Distance(const Vector<S, L>& point) const {
-  // In units of the larger of the ellipsoid and the point, whose squares could under- or overflow. By symmetry in the
-  // first orthant.
+  // The unit is the larger of the ellipsoid and the point, whose squares could under- or overflow. By symmetry, the
+  // point is in the first orthant.
   const double unit = static_cast<double>(std::max(semi_axes_.maxCoeff(), point.cwiseAbs().maxCoeff()));
   if (!(unit > 0)) return 0;
   const Vector<double, L> axes = semi_axes_.template cast<double>() / unit;
@@ -152,7 +152,7 @@ S Ellipsoid<S, L>::Distance(const Vector<S, L>& point) const {
   Vector<double, L> way;
   for (int i = 0; i < L; ++i) {
     const double denominator = low + axes[i] * axes[i];
-    way[i] = denominator > 0 ? low / denominator * x[i] : x[i];  // Of tiny axes, x / denominator may not be finite.
+    way[i] = denominator > 0 ? low / denominator * x[i] : x[i];  // For tiny axes, x / denominator may not be finite.
   }
   return static_cast<S>(unit * way.norm());
 }

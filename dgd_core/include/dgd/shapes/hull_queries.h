@@ -1,4 +1,4 @@
-// What the shapes that are the hull of points have in common: slow and plain looks at the hull, in double.
+// What the shapes that are the hull of points have in common: slow and plain queries of the hull, in double.
 #pragma once
 
 #include <algorithm>
@@ -57,7 +57,7 @@ inline bool IsElongated(const Eigen::Matrix3d& spread) {
 /// @pre With facets.
 template <class S>
 std::vector<FacePlane<S>> FacePlanesOf(const ConvexHull& hull) {
-  // As much as a hull's inradius is lowered by for Qhull's normals and for the vertices, each of them of the extent.
+  // A hull's inradius is lowered by as much for Qhull's normals and for the vertices, each of them of the extent.
   constexpr double kRounding = 128 * std::numeric_limits<S>::epsilon();
   const double rounding = kRounding * LargestCoordinate(hull);
   std::vector<FacePlane<S>> planes;
@@ -151,8 +151,8 @@ void AddVertices(const ConvexHull& hull, std::span<const VertexId> vertices, Ver
   }
 }
 
-/// Of the facets around `vertex`, the support vertex along `direction`, the one whose normal is nearest to it, or some
-/// facet if the direction is NaN; for hulls below dimension 2 the whole hull.
+/// Adds the facet around `vertex`, the support vertex along `direction`, whose normal is nearest to that, or some facet
+/// if the direction is NaN; for hulls below dimension 2 the whole hull.
 template <class S>
 void AddSupportFace(const ConvexHull& hull, VertexId vertex, const Vector3<S>& direction, SupportingFace<S>& face) {
   if (hull.dimension < 2) {

@@ -62,7 +62,7 @@ InnerBall<S, L> BallNear(std::span<const FacePlane<S, L>> faces, const InnerBall
     if (step == kMostSteps) break;
     moved.center -= ((is_full ? ball.radius : least) - moved.radius) * face.normal;
   }
-  // On the way from the ball's centre, the depth below the nearest face is at least what is between those of its ends.
+  // The depth below the nearest face, on the way from the ball's centre, is at least what is between those of its ends.
   const S part = (ball.radius - least) / (ball.radius - moved.radius);
   moved.center = ball.center + part * (moved.center - ball.center);
   moved.radius = NearestFace(faces, moved.center).Depth(moved.center);

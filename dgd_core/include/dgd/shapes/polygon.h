@@ -100,7 +100,7 @@ class Polygon {
       extent = std::max(extent, (corners_[i] - center).norm());
       if (edge.norm() > 0) least = std::min(least, Cross(edge, center - corners_[i]) / edge.norm());
     }
-    // Of the hull in double, then of the corners' and the centre's coordinates in S.
+    // Roundoff of the hull in double, then of the corners' and the centre's coordinates in S.
     constexpr double kRounding = 32 * std::numeric_limits<double>::epsilon();
     constexpr double kVertexRounding = 2 * std::numeric_limits<S>::epsilon();
     return static_cast<S>(std::max(0.0, least - kRounding * extent - kVertexRounding * LargestCoordinate(hull)));

@@ -10,9 +10,9 @@
 
 namespace dgd {
 
-/// The point of triangle (a, b, c) nearest to `point`, which may be degenerate: to a segment or a point.
-/// The plane's interior and the three edges, all of them: on a sliver, the plane's answer has lost its digits and an
-/// edge is nearer. The naive way, kept for its certainty.
+/// The point of triangle (a, b, c) nearest to `point`, which may be degenerate: to a segment or a point. The plane's
+/// interior and the three edges, all of them: on a sliver, the plane's point has lost its digits and an edge is nearer.
+/// The naive way, kept for its certainty.
 template <class S>
 Vector3<S> ClosestPointOnTriangle(const Vector3<S>& point, const Vector3<S>& a, const Vector3<S>& b,
                                   const Vector3<S>& c) {

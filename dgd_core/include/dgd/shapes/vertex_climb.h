@@ -1,4 +1,4 @@
-// The vertex of a hull farthest along a direction, by a walk along its edges.
+// The vertex of a hull farthest along a direction, by a climb along its edges (hill climbing).
 #pragma once
 
 #include <Eigen/Geometry>
@@ -23,7 +23,7 @@ template <class S>
 class VertexClimb {
  public:
   VertexClimb() = default;
-  /// @param hull  Of dimension 3: the vertices of a flat hull are not in one plane but for roundoff, and a walk along
+  /// @param hull  Of dimension 3: the vertices of a flat hull are not in one plane but for roundoff, and a climb along
   ///              its edges may miss the one that sticks out.
   explicit VertexClimb(const ConvexHull& hull) {
     for (const Eigen::Vector3d& vertex : hull.vertices) {
@@ -92,12 +92,12 @@ class VertexClimb {
   /// Heights differ for certain by more than this part of the largest offset.
   static constexpr S kHeightRounding = 4 * std::numeric_limits<S>::epsilon();
   /// A rise that need not be found, as a part of the largest offset: a thousandth of what the tests allow witness
-  /// points to be off by. Below float's roundoff: in float, all plateaus are looked at.
+  /// points to be off by. It is below float's roundoff: in float, all plateaus are searched.
   static constexpr S kInvisible = S(1e-12);
-  /// Of the table of starts. By measurement, of 241 to 4516 vertices: with 2 and 8, cold queries take 1.06 and 0.97 of
+  /// Cells of the table of starts. With 2 and 8, cold queries of hulls of 241 to 4516 vertices take 1.06 and 0.97 of
   /// the time.
   static constexpr std::size_t kCellsPerVertex = 4;
-  /// Vertices of a plateau that are looked at, at most.
+  /// Most vertices of a plateau that are searched.
   static constexpr int kMaxPlateau = 32;
 
   /// Goes on to the highest of the vertices next to this one, if that is higher.
@@ -145,8 +145,8 @@ class VertexClimb {
   }
 
   /// Joins each vertex to those 1, 2, 4, ... places further around each of its facets. The first are the edges, along
-  /// which a walk finds the top of an exact polytope. The others are for merged facets, where many short edges differ
-  /// in height by roundoff only and could end the walk far from the top; and they cross a large facet in few steps.
+  /// which a climb finds the top of an exact polytope. The others are for merged facets, where many short edges differ
+  /// in height by roundoff only and could end the climb far from the top; and they cross a large facet in few steps.
   void LinkNeighbours(const ConvexHull& hull) {
     std::vector<std::vector<VertexId>> links(offsets_.size());
     const auto link = [&](VertexId a, VertexId b) {
@@ -175,8 +175,8 @@ class VertexClimb {
   /// A vertex that no neighbour is higher than, but for roundoff, is the highest along a direction that is tilted by
   /// that roundoff over an edge's length, and by more where its edges are nearly parallel. So what is higher is so by
   /// that angle times the hull's size at most: only short edges and thin corners make a rise of it. Where a query ends
-  /// there is a plateau, the facet's corners: to look at all of them, warm queries of hulls of 241 and 2000 vertices
-  /// take 1.5 times as long.
+  /// there is a plateau, the facet's corners: if all of them were searched, warm queries of hulls of 241 and 2000
+  /// vertices take 1.5 times as long.
   void FindPlateaus(const ConvexHull& hull) {
     const S least = 2 * roundoff_ / kInvisible;
     for (Links& links : links_) links.plateau = -roundoff_;
@@ -193,7 +193,7 @@ class VertexClimb {
     }
   }
 
-  /// Each by a walk from the start of the cell before.
+  /// Finds each start by a climb from that of the cell before.
   void ChooseStarts() {
     cells_ = CubeMap<S>(kCellsPerVertex * offsets_.size());
     VertexId start = 0;
@@ -207,7 +207,7 @@ class VertexClimb {
   S roundoff_ = 0;                   // Roundoff of the heights, for a direction of unit size; metres.
   std::vector<Links> links_;         // Links of each vertex.
   std::vector<Neighbour> neighbours_;
-  /// For directions of each cell a vertex from which the walk is short.
+  /// A vertex for the directions of each cell, from which the climb is short.
   CubeMap<S> cells_{0};
   std::vector<VertexId> starts_;
 };

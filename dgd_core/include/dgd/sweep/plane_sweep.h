@@ -105,7 +105,8 @@ class PlaneSweep {
     S longest = 1 - time;  // What the last bulge that was too large lets an interval be.
     // Aimed for: within the interval [nearest / 2, nearest] that ends the search.
     const S goal = S(0.75) * nearest;
-    // Of the separation at `from`: halved while chords cross the goal too late (the Illinois variant of regula falsi).
+    // The weight of the separation at `from` is halved while chords cross the goal too late (the Illinois variant of
+    // regula falsi).
     S weight = 1;
     for (int i = 0; i < kMaxCuts && from.separation > nearest; ++i) {
       const S duration = to.time - from.time;
@@ -150,7 +151,7 @@ class PlaneSweep {
   Moment At(const Point& normal, S time) {
     ++evaluations_;
     Moment moment{time, set_1_.Extent(normal, time), set_2_.Extent(-normal, time), 0};
-    // From the difference of the centres, so that both sets may be far from the world's origin.
+    // The separation comes from the difference of the centres, so that both may be far from the world's origin.
     moment.separation = normal.dot(start_ + time * translation_) - moment.extent_1 - moment.extent_2 - radius_;
     return moment;
   }
