@@ -110,7 +110,7 @@ Case RunHeavyOnLight(const Conditions& conditions, double ratio, int count, Form
           {0, 0, 1000 * sum.sunk / kHeadings, 1000 * sum.speed / kHeadings}};
 }
 
-Cases Run(const Conditions& conditions) {
+Cases RunChain(const Conditions& conditions) {
   // At 60 Hz Bullet's ten iterations do not carry 100 kg on two bodies of 1 kg: both collapse.
   const std::array<double, 3> ratios = {1, 10, conditions.rate < 240 ? 30.0 : 100.0};
   constexpr std::array kForms = {Form::kBox, Form::kHull};
@@ -133,7 +133,7 @@ App Chain() {
            {"widest joint, mm", Combine::kMean, 0.3, 5, "by how the ball rebounds, which is chance"},
            {"heavy on light: sunk, mm", Combine::kMean, 0.1, 0.5, "half a millimetre is not seen"},
            {"heavy on light: speed, mm/s", Combine::kMean, 0.1, 2, "what moves 2 mm/s falls asleep all the same"}},
-          Run};
+          RunChain};
 }
 
 }  // namespace dgd_apps

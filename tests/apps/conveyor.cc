@@ -94,7 +94,7 @@ Case RunRide(const Conditions& conditions, const Ride& it) {
           {1000 * late, 1000 * std::abs(double(place.y())), 1000 * hop}};
 }
 
-Cases Run(const Conditions& conditions) {
+Cases RunConveyor(const Conditions& conditions) {
   constexpr std::array kForms = {Form::kBox, Form::kHull, Form::kCylinder};
   constexpr std::array<double, 3> kSpeeds = {1, 0.3, 2.5};
   Cases cases;
@@ -115,7 +115,7 @@ App Conveyor() {
           {{"late or early, mm", Combine::kMean, 0.1, 1, "a millimetre in 2.5 m is nothing to a plant"},
            {"aside, mm", Combine::kMean, 0.1, 1, "the same"},
            {"hop, mm", Combine::kWorst, 0.1, 0.5, "half a millimetre is the built-in's push-out of a resting box"}},
-          Run};
+          RunConveyor};
 }
 
 }  // namespace dgd_apps

@@ -44,7 +44,7 @@ std::vector<btVector3> Simulate(const Conditions& conditions, Form form, Ground 
   return positions;
 }
 
-Cases Run(const Conditions& conditions) {
+Cases RunDrawing(const Conditions& conditions) {
   constexpr std::array kForms = {Form::kBox, Form::kHull, Form::kCylinder, Form::kSphere};
   constexpr std::array kGrounds = {Ground::kBox, Ground::kMesh, Ground::kPlane, Ground::kHeightfield};
   constexpr std::array kModes = {0, int(btIDebugDraw::DBG_DrawWireframe), int(btIDebugDraw::DBG_DrawContactPoints)};
@@ -71,7 +71,7 @@ App Drawing() {
   return {"drawing",
           "heaps with a debug drawer and without: bodies that end elsewhere by a bit",
           {{"bodies that end elsewhere", Combine::kTotal, 0, 0, "drawing is looking"}},
-          Run};
+          RunDrawing};
 }
 
 }  // namespace dgd_apps

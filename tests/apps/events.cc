@@ -78,7 +78,7 @@ Case RunLanding(const Conditions& conditions, const Motion& it) {
           {0, 0, 0, double(std::max(0, events.Started() - 1))}};
 }
 
-Cases Run(const Conditions& conditions) {
+Cases RunEvents(const Conditions& conditions) {
   Cases cases = RunCases(conditions, Motions(), 3, RunSteady);
   AddTo(cases, RunCases(conditions, Motions(), 7, RunLanding));
   return cases;
@@ -94,7 +94,7 @@ App Events() {
            {"ends in steady motion, 1/s", Combine::kMean, 0.1, 0.05, kFew},
            {"steps without a point, share", Combine::kMean, 0.1, 0.001, "the same"},
            {"starts beyond the first on landing", Combine::kMean, 0.1, 0.1, "a tenth of a knock per case"}},
-          Run};
+          RunEvents};
 }
 
 }  // namespace dgd_apps

@@ -44,7 +44,7 @@ std::vector<Place> Places() {
   return places;
 }
 
-Cases Run(const Conditions& conditions) { return RunCases(conditions, Places(), 3, RunPlace); }
+Cases RunFarOut(const Conditions& conditions) { return RunCases(conditions, Places(), 3, RunPlace); }
 
 }  // namespace
 
@@ -55,7 +55,7 @@ App FarOut() {
            {"way in half a second, mm", Combine::kMean, 0.1, 0.5, "a sixteenth of what float resolves at 100 km"},
            {"sunk, mm", Combine::kMean, 0.1, 1, "an eighth of what float resolves at 100 km"},
            {"through the ground", Combine::kTotal, 0, 0, "one is one too many"}},
-          Run};
+          RunFarOut};
 }
 
 }  // namespace dgd_apps

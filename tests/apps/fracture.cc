@@ -50,7 +50,7 @@ class Pieces {
   std::vector<Piece> pieces_;
 };
 
-constexpr double kHalf = 0.3;  // Of the block, m.
+constexpr double kBlockHalf = 0.3;  // Of the block, m.
 
 std::vector<btVector3> BlockCorners(const btVector3& least, const btVector3& most) {
   std::vector<btVector3> corners;
@@ -63,9 +63,9 @@ std::vector<btVector3> BlockCorners(const btVector3& least, const btVector3& mos
 
 /// The block in `side`^3 boxes of unlike sizes, or each of them in two wedges; corners in the block's frame.
 std::vector<std::vector<btVector3>> Shards(int side, bool has_wedges) {
-  std::vector<double> cuts = {-kHalf};
-  for (int i = 1; i < side; ++i) cuts.push_back(kHalf * (2.0 * i / side - 1 + 0.1 * (i % 2)));
-  cuts.push_back(kHalf);
+  std::vector<double> cuts = {-kBlockHalf};
+  for (int i = 1; i < side; ++i) cuts.push_back(kBlockHalf * (2.0 * i / side - 1 + 0.1 * (i % 2)));
+  cuts.push_back(kBlockHalf);
   std::vector<std::vector<btVector3>> shards;
   for (int i = 0; i < side * side * side; ++i) {
     const std::size_t x = static_cast<std::size_t>(i % side), y = static_cast<std::size_t>(i / side % side),
@@ -112,8 +112,9 @@ Case RunBreak(const Conditions& conditions, const Break& it) {
   Lab lab(conditions);
   lab.AddGround(it.ground, btTransform::getIdentity(), {}, {.friction = 1});
   Pieces pieces(lab);
-  const double height = kHalf + (it.is_in_flight ? 0.5 : 0);
-  const std::vector<btVector3> block = BlockCorners(Vec(-kHalf, -kHalf, -kHalf), Vec(kHalf, kHalf, kHalf));
+  const double height = kBlockHalf + (it.is_in_flight ? 0.5 : 0);
+  const std::vector<btVector3> block =
+      BlockCorners(Vec(-kBlockHalf, -kBlockHalf, -kBlockHalf), Vec(kBlockHalf, kBlockHalf, kBlockHalf));
   btRigidBody& body = pieces.Add(block, 0, kMass, At(Vec(0.23, 0.31, height), Yaw(HeadingOf(it.index))));
   if (it.is_in_flight) body.setAngularVelocity(Vec(0.5, 0.3, 2));
   lab.Run(it.is_in_flight ? 0.15 : 0.4);
@@ -164,7 +165,7 @@ Case RunReplaced(const Conditions& conditions) {
   return {"new shapes", "a new shape each step", {1000 * std::max(0.0, fastest - resting), 1000 * overlap, 0, 0}};
 }
 
-Cases Run(const Conditions& conditions) {
+Cases RunFracture(const Conditions& conditions) {
   constexpr std::array kGrounds = {Ground::kBox, Ground::kMesh, Ground::kPlane};
   Cases cases;
   for (const int i : SelectIndices(conditions, 12, 2)) {
@@ -184,7 +185,7 @@ App Fracture() {
            {"deepest overlap, mm", Combine::kMean, 0.1, 1, "a millimetre is not seen"},
            {"speed at rest, mm/s", Combine::kMean, 0.3, 5, "how long pieces tumble is chance"},
            {"lost pieces", Combine::kTotal, 0, 0, "one is one too many"}},
-          Run};
+          RunFracture};
 }
 
 }  // namespace dgd_apps

@@ -168,7 +168,7 @@ std::vector<Grip> Grips() {
   return grips;
 }
 
-Cases Run(const Conditions& conditions) { return RunCases(conditions, Grips(), 1, RunGrip); }
+Cases RunGripper(const Conditions& conditions) { return RunCases(conditions, Grips(), 1, RunGrip); }
 
 }  // namespace
 
@@ -177,7 +177,7 @@ App Gripper() {
           "a gripper of a multibody picks parts of 1 to 4 cm off the table and holds them",
           {{"dropped parts", Combine::kTotal, 0, 1, "one of eight that the fingers just hold is chance"},
            {"slip in 0.8 s, mm", Combine::kMean, 0.1, 1.25, "one more of eight is dropped, which counts 10 mm"}},
-          Run};
+          RunGripper};
 }
 
 }  // namespace dgd_apps

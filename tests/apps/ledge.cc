@@ -46,7 +46,7 @@ Case RunCrate(const Conditions& conditions, const Crate& it) {
           {it.inside > 0 && falls ? 1.0 : 0.0, it.inside < 0 && !falls ? 1.0 : 0.0, 1000 * way}};
 }
 
-Cases Run(const Conditions& conditions) { return RunCases(conditions, Crates(), 3, RunCrate); }
+Cases RunLedge(const Conditions& conditions) { return RunCases(conditions, Crates(), 3, RunCrate); }
 
 }  // namespace
 
@@ -56,7 +56,7 @@ App Ledge() {
           {{"falls though its centre is inside", Combine::kTotal, 0, 0, "one is one too many"},
            {"stands though its centre is outside", Combine::kTotal, 0, 0, "the same"},
            {"creep of those that stand, mm", Combine::kMean, 0.1, 0.5, "half a millimetre in 2.5 s is not seen"}},
-          Run};
+          RunLedge};
 }
 
 }  // namespace dgd_apps

@@ -79,7 +79,7 @@ class MaterialLab {
 
 constexpr std::array kWays = {Way::kCombine, Way::kAdded, Way::kProcessed};
 constexpr std::array kForms = {Form::kSphere, Form::kBox, Form::kHull};
-constexpr std::array kGrounds = {Ground::kBox, Ground::kPlane, Ground::kMesh};
+constexpr std::array kGroundsInTurn = {Ground::kBox, Ground::kPlane, Ground::kMesh};
 
 /// Height of the rebound, over that of the drop, against the square of the app's restitution.
 Case RunRebound(const Conditions& conditions, int index) {
@@ -87,7 +87,7 @@ Case RunRebound(const Conditions& conditions, int index) {
   const Way way = kWays[i % 3];
   const double restitution = (i / 3) % 2 == 0 ? 1 : 0.5, height = 0.5 + 2 * PhaseOf(index);
   const Form form = kForms[(i + i / 3) % 3];
-  const Ground ground = kGrounds[(i + i / 9) % 3];
+  const Ground ground = kGroundsInTurn[(i + i / 9) % 3];
   MaterialLab world(conditions, way, {btScalar(restitution), 0}, ground);
   btRigidBody& body = world.AddBody(form, 0.1, height, index);
   const double fall = std::sqrt(2 * height / kGravity);
@@ -109,7 +109,7 @@ Case RunSlide(const Conditions& conditions, int index) {
   const Way way = kWays[i % 3];
   const double friction = (i / 3) % 2 == 0 ? 0.5 : 0.2, speed = 2, half = 0.2;
   const Form form = i % 2 == 0 ? Form::kBox : Form::kHull;
-  const Ground ground = kGrounds[(i + i / 3) % 3];
+  const Ground ground = kGroundsInTurn[(i + i / 3) % 3];
   MaterialLab world(conditions, way, {0, btScalar(friction)}, ground);
   btRigidBody& body = world.AddBody(form, half, 0, index);
   world.lab().Run(0.3);
@@ -125,7 +125,7 @@ Case RunSlide(const Conditions& conditions, int index) {
           {0, std::abs(double((PositionOf(body) - start).length()) / theory - 1)}};
 }
 
-Cases Run(const Conditions& conditions) {
+Cases RunMaterials(const Conditions& conditions) {
   Cases cases;
   for (const int i : SelectIndices(conditions, 36, 2)) cases.push_back(RunRebound(conditions, i));
   for (const int i : SelectIndices(conditions, 18, 2)) cases.push_back(RunSlide(conditions, i));
@@ -139,7 +139,7 @@ App Materials() {
           "restitution and friction that the app sets in its callbacks: height of the rebound, way of a slide",
           {{"error of the rebound, share of the drop", Combine::kMean, 0.1, 0.005, "half a centimetre of a metre"},
            {"error of the way, share", Combine::kMean, 0.1, 0.005, "the same"}},
-          Run};
+          RunMaterials};
 }
 
 }  // namespace dgd_apps

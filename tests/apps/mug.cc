@@ -74,7 +74,7 @@ std::vector<Stand> Stands() {
   return stands;
 }
 
-Cases Run(const Conditions& conditions) { return RunCases(conditions, Stands(), 5, RunStand); }
+Cases RunMug(const Conditions& conditions) { return RunCases(conditions, Stands(), 5, RunStand); }
 
 }  // namespace
 
@@ -83,7 +83,7 @@ App Mug() {
           "a mug of eleven hulls stands, lies and rocks on the table: how fast it still moves",
           {{"speed at rest, mm/s", Combine::kMean, 0.1, 2, "what moves 2 mm/s falls asleep all the same"},
            {"way in half a second, mm", Combine::kMean, 0.1, 0.2, "not seen"}},
-          Run};
+          RunMug};
 }
 
 }  // namespace dgd_apps

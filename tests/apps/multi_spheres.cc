@@ -5,8 +5,6 @@
 namespace dgd_apps {
 namespace {
 
-constexpr std::array kGrounds = {Ground::kPlane, Ground::kBox, Ground::kMesh, Ground::kHeightfield};
-
 struct Part {
   int spheres;    // 0 for a capsule.
   double radius;  // m
@@ -42,6 +40,7 @@ Case RunPart(const Conditions& conditions, const Part& it) {
 }
 
 std::vector<Part> Parts() {
+  constexpr std::array kGrounds = {Ground::kPlane, Ground::kBox, Ground::kMesh, Ground::kHeightfield};
   std::vector<Part> parts;
   for (const int spheres : {2, 4, 0}) {
     for (const Ground ground : kGrounds) {
@@ -51,7 +50,7 @@ std::vector<Part> Parts() {
   return parts;
 }
 
-Cases Run(const Conditions& conditions) { return RunCases(conditions, Parts(), 1, RunPart); }
+Cases RunMultiSpheres(const Conditions& conditions) { return RunCases(conditions, Parts(), 1, RunPart); }
 
 }  // namespace
 
@@ -59,7 +58,7 @@ App MultiSpheres() {
   return {"multi_spheres",
           "capsules of two spheres and pads of four lie on the ground: how fast they still move",
           {{"speed at rest, mm/s", Combine::kMean, 0.1, 2, "what moves 2 mm/s falls asleep all the same"}},
-          Run};
+          RunMultiSpheres};
 }
 
 }  // namespace dgd_apps

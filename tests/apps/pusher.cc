@@ -7,7 +7,7 @@
 namespace dgd_apps {
 namespace {
 
-constexpr double kHalf = 0.3;  // Of the loads, m.
+constexpr double kLoadHalf = 0.3;  // Of the loads, m.
 
 /// What pushes three loads over the floor.
 struct Push {
@@ -29,7 +29,7 @@ Case RunPush(const Conditions& conditions, const Push& it) {
   const double height = FootOf(shape) + 0.01;
   double x = -2 - PhaseOf(it.index) * it.speed * lab.dt();
   btRigidBody& pusher = lab.AddKinematic(shape, frame * At(Vec(x, 0, height)));
-  btConvexShape& load = lab.MakeForm(it.load, kHalf);
+  btConvexShape& load = lab.MakeForm(it.load, kLoadHalf);
   std::vector<btRigidBody*> loads;
   for (int i = -1; i < 2; ++i) {
     loads.push_back(&lab.AddBody(load, 1, frame * At(Vec(-1, 0.62 * i, FootOf(load))), Surface{.friction = 0.4}));
@@ -39,13 +39,14 @@ Case RunPush(const Conditions& conditions, const Push& it) {
   if (it.has_wall) lab.AddStatic(MakeCube(lab, 2), frame * At(Vec(wall + 2, 0, 2)));
   double overlap = 0, ahead = 0;
   for (int step = lab.StepsIn(2.5 / it.speed); step > 0; --step) {
-    if (!it.has_wall || x < wall - 0.4 - 2 * kHalf - it.speed * lab.dt()) x += it.speed * lab.dt();
+    if (!it.has_wall || x < wall - 0.4 - 2 * kLoadHalf - it.speed * lab.dt()) x += it.speed * lab.dt();
     pusher.setWorldTransform(frame * At(Vec(x, 0, height)));
     lab.Step();
     overlap = std::max(overlap, DeepestOverlap(lab, &pusher));
     // Once they have been reached.
     if (x < -1) continue;
-    for (const btRigidBody* body : loads) ahead = std::max(ahead, Along(PositionOf(*body), heading) - x - 0.4 - kHalf);
+    for (const btRigidBody* body : loads)
+      ahead = std::max(ahead, Along(PositionOf(*body), heading) - x - 0.4 - kLoadHalf);
   }
   // Only where loads stay in front and nothing stops them: a post lets the outer ones go by.
   const bool counts_ahead = it.pusher != Form::kCapsule && it.load == Form::kBox && !it.has_wall;
@@ -60,7 +61,7 @@ Case RunLift(const Conditions& conditions, Form form, bool turns, double speed, 
   constexpr double kDuration = 1.5;  // s
   Lab lab(conditions);
   btRigidBody& platform = lab.AddKinematic(lab.Make<btBoxShape>(Vec(2, 2, 0.5)), At(Vec(0, 0, -0.5)));
-  btConvexShape& shape = lab.MakeForm(form, kHalf);
+  btConvexShape& shape = lab.MakeForm(form, kLoadHalf);
   std::vector<const btRigidBody*> bodies;
   for (int i = 0; i < 3; ++i) {
     const btTransform pose = At(Vec(0.1, 0.05, FootOf(shape) * (1 + 2 * i)), Yaw(HeadingOf(index)));
@@ -89,7 +90,7 @@ Case RunLift(const Conditions& conditions, Form form, bool turns, double speed, 
           {1000 * overlap, 0, 1000 * strays}};
 }
 
-Cases Run(const Conditions& conditions) {
+Cases RunPusher(const Conditions& conditions) {
   constexpr std::array<double, 3> kSpeeds = {1, 0.2, 5};
   constexpr std::array kLoads = {Form::kBox, Form::kHull, Form::kCylinder};
   Cases cases;
@@ -114,7 +115,7 @@ App Pusher() {
           {{"deepest overlap with the pusher, mm", Combine::kMean, 0.1, 0.5, "half a millimetre is not seen"},
            {"loads get away ahead, mm", Combine::kMean, 0.1, 1, "a millimetre is not seen"},
            {"stray on the lift, mm", Combine::kMean, 0.1, 0.5, "half a millimetre is not seen"}},
-          Run};
+          RunPusher};
 }
 
 }  // namespace dgd_apps

@@ -16,7 +16,7 @@ struct Shot {
   int index;
 };
 
-constexpr double kHalf = 0.2, kTargetHalf = 0.5;  // m
+constexpr double kShotHalf = 0.2, kTargetHalf = 0.5;  // m
 
 std::vector<Shot> Shots() {
   constexpr std::array kForms = {Form::kBox, Form::kSphere, Form::kHull, Form::kCapsule, Form::kCylinder};
@@ -45,8 +45,8 @@ Case RunShot(const Conditions& conditions, const Shot& it) {
   btRigidBody& target = it.is_free ? lab.AddBody(target_shape, 1, target_pose, surface)
                                    : lab.AddStatic(target_shape, target_pose, surface);
   const double distance = 1.2 + it.speed * lab.dt() * PhaseOf(3 * it.index + 1);
-  btRigidBody& body =
-      lab.AddBody(lab.MakeForm(it.form, kHalf), 1, At(Vec(-distance, it.offset, 0.1), Yaw(0.4 * it.index)), surface);
+  btRigidBody& body = lab.AddBody(lab.MakeForm(it.form, kShotHalf), 1,
+                                  At(Vec(-distance, it.offset, 0.1), Yaw(0.4 * it.index)), surface);
   const btVector3 velocity = Vec(it.speed, 0, 0);
   body.setLinearVelocity(velocity);
   bool has_overlap = false, has_impulse = false;
@@ -66,7 +66,7 @@ Case RunShot(const Conditions& conditions, const Shot& it) {
            share(is_hit && events.Started() != events.Ended()), share(!is_hit && has_overlap)}};
 }
 
-Cases Run(const Conditions& conditions) { return RunCases(conditions, Shots(), 3, RunShot); }
+Cases RunRicochet(const Conditions& conditions) { return RunCases(conditions, Shots(), 3, RunShot); }
 
 }  // namespace
 
@@ -79,7 +79,7 @@ App Ricochet() {
            {"hits without a started contact", Combine::kTotal, 0, 0, "the same"},
            {"hits started but not ended", Combine::kTotal, 0, 1, "what turns slowly may still touch at the end"},
            {"misses with distance < 0", Combine::kTotal, 0, 1, kSingle}},
-          Run};
+          RunRicochet};
 }
 
 }  // namespace dgd_apps

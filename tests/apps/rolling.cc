@@ -85,7 +85,7 @@ Case RunRoll(const Conditions& conditions, const Roll& it) {
            1000 * ripple}};
 }
 
-Cases Run(const Conditions& conditions) { return RunCases(conditions, Rolls(conditions), 2, RunRoll); }
+Cases RunRolling(const Conditions& conditions) { return RunCases(conditions, Rolls(conditions), 2, RunRoll); }
 
 }  // namespace
 
@@ -95,7 +95,7 @@ App Rolling() {
           {{"change of the speed, share", Combine::kMean, 0.1, 0.002, "a player sees percents"},
            {"speed aside, share", Combine::kMean, 0.1, 0.002, "the same"},
            {"ripple, mm", Combine::kWorst, 0.1, 0.2, "a fifth of a millimetre is roundoff on 45 m of ground in float"}},
-          Run};
+          RunRolling};
 }
 
 }  // namespace dgd_apps

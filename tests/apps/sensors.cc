@@ -80,7 +80,7 @@ Case RunFlight(const Conditions& conditions, const Flight& it) {
           {1000 * std::max(0.0, early), double(late), is_reported ? 0.0 : 1.0, disturbance}};
 }
 
-Cases Run(const Conditions& conditions) { return RunCases(conditions, Flights(), 1, RunFlight); }
+Cases RunSensors(const Conditions& conditions) { return RunCases(conditions, Flights(), 1, RunFlight); }
 
 }  // namespace
 
@@ -91,7 +91,7 @@ App Sensors() {
            {"steps late", Combine::kMean, 0, 0.05, "none, but for roundoff in single cases"},
            {"not reported, share", Combine::kMean, 0, 0, "one is one too many"},
            {"disturbance of the flight, share of the speed", Combine::kWorst, 0, 1e-6, "roundoff"}},
-          Run};
+          RunSensors};
 }
 
 }  // namespace dgd_apps

@@ -7,7 +7,7 @@
 namespace dgd_apps {
 namespace {
 
-constexpr double kHalf = 0.25;  // m
+constexpr double kPiledHalf = 0.25;  // m
 
 struct Pile {
   Form form;
@@ -18,7 +18,7 @@ struct Pile {
 
 std::vector<btRigidBody*> AddPile(Lab& lab, const Pile& it) {
   std::vector<btRigidBody*> bodies;
-  btConvexShape& shape = lab.MakeForm(it.form, kHalf);
+  btConvexShape& shape = lab.MakeForm(it.form, kPiledHalf);
   const double foot = FootOf(shape);
   for (int i = 0; i < it.count; ++i) {
     const btTransform pose = At(Vec(0.23 + 0.01 * i, 0.31, foot * (1 + 2.02 * i) + 0.01), Yaw(HeadingOf(it.index + i)));
@@ -57,8 +57,8 @@ Case RunPile(const Conditions& conditions, const Pile& it) {
   constexpr double kBall = 0.1, kDrop = 0.1;  // m
   const btVector3 top = PositionOf(*bodies.back());
   btRigidBody& ball =
-      lab.AddBody(lab.Make<btSphereShape>(btScalar(kBall)), 1, At(top + Vec(0, 0, kHalf + kBall + kDrop)));
-  lab.Run(std::sqrt(2 * (kDrop + kHalf) / kGravity) + kNoticed);
+      lab.AddBody(lab.Make<btSphereShape>(btScalar(kBall)), 1, At(top + Vec(0, 0, kPiledHalf + kBall + kDrop)));
+  lab.Run(std::sqrt(2 * (kDrop + kPiledHalf) / kGravity) + kNoticed);
   const bool sleeps_through_hit = AreAsleep(bodies);
   ball.setWorldTransform(At(Vec(0, 0, 50)));
   ball.setLinearVelocity(Vec(0, 0, 0));
@@ -90,7 +90,7 @@ std::vector<Pile> Piles() {
   return piles;
 }
 
-Cases Run(const Conditions& conditions) { return RunCases(conditions, Piles(), 3, RunPile); }
+Cases RunSleeping(const Conditions& conditions) { return RunCases(conditions, Piles(), 3, RunPile); }
 
 }  // namespace
 
@@ -101,7 +101,7 @@ App Sleeping() {
            {"seconds awake undisturbed", Combine::kTotal, 0, 0.1, "a tenth of a second of all"},
            {"sleeps through a hit", Combine::kTotal, 0, 0, "one is one too many"},
            {"floats when the ground goes", Combine::kTotal, 0, 0, "the same"}},
-          Run};
+          RunSleeping};
 }
 
 }  // namespace dgd_apps

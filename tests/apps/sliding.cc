@@ -81,7 +81,7 @@ Case RunSlide(const Conditions& conditions, const Slide& it) {
            way < 0.8 * it.speed * seconds ? 1.0 : 0.0, 1000 * hop}};
 }
 
-Cases Run(const Conditions& conditions) { return RunCases(conditions, Slides(), 7, RunSlide); }
+Cases RunSliding(const Conditions& conditions) { return RunCases(conditions, Slides(), 7, RunSlide); }
 
 }  // namespace
 
@@ -91,7 +91,7 @@ App Sliding() {
           {{"change of the speed, share", Combine::kMean, 0.1, 0.002, "a player sees percents"},
            {"stopped or late", Combine::kTotal, 0, 0, "one is one too many"},
            {"hop, mm", Combine::kWorst, 0.1, 0.5, "half a millimetre is the built-in's push-out of a resting box"}},
-          Run};
+          RunSliding};
 }
 
 }  // namespace dgd_apps

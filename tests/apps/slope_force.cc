@@ -57,7 +57,7 @@ std::vector<Load> Loads() {
   return loads;
 }
 
-Cases Run(const Conditions& conditions) { return RunCases(conditions, Loads(), 5, RunLoad); }
+Cases RunSlopeForce(const Conditions& conditions) { return RunCases(conditions, Loads(), 5, RunLoad); }
 
 }  // namespace
 
@@ -66,7 +66,7 @@ App SlopeForce() {
           "loads at rest on slopes: how much the force that a sensor under them reads varies",
           {{"spread of the normal force, share", Combine::kMean, 0.1, 0.02, "sensors are good to a percent or two"},
            {"rms error of the force, share", Combine::kMean, 0.1, 0.01, "the same"}},
-          Run};
+          RunSlopeForce};
 }
 
 }  // namespace dgd_apps

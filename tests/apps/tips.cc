@@ -69,7 +69,7 @@ Case RunCarton(const Conditions& conditions, const Carton& it) {
           {it.push < 1 && tips ? 1.0 : 0.0, it.push > 1 && !tips ? 1.0 : 0.0, it.push < 1 ? 1000 * tilt : 0}};
 }
 
-Cases Run(const Conditions& conditions) { return RunCases(conditions, Cartons(), 1, RunCarton); }
+Cases RunTips(const Conditions& conditions) { return RunCases(conditions, Cartons(), 1, RunCarton); }
 
 }  // namespace
 
@@ -79,7 +79,7 @@ App Tips() {
           {{"tips too early", Combine::kTotal, 0, 0, "one is one too many"},
            {"tips too late", Combine::kTotal, 0, 0, "the same"},
            {"tilt of those that stand, mrad", Combine::kMean, 0.2, 0.5, "half a millimetre at the top of a metre"}},
-          Run};
+          RunTips};
 }
 
 }  // namespace dgd_apps

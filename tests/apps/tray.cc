@@ -101,7 +101,7 @@ std::vector<Drop> Drops(const Conditions& conditions) {
   return drops;
 }
 
-Cases Run(const Conditions& conditions) { return RunCases(conditions, Drops(conditions), 5, RunDrop); }
+Cases RunTray(const Conditions& conditions) { return RunCases(conditions, Drops(conditions), 5, RunDrop); }
 
 }  // namespace
 
@@ -111,7 +111,7 @@ App Tray() {
           {{"lost parts", Combine::kTotal, 0.1, 1, "where parts fall through, one more or less is chance"},
            {"speed after 1.5 s, mm/s", Combine::kMean, 0.3, 10,
             "parts tumble for a while, and how long is chance; without lost parts, which only fall"}},
-          Run};
+          RunTray};
 }
 
 }  // namespace dgd_apps

@@ -1,0 +1,3 @@
+#include "support/pairs/any_pair_bodies.h"
+
+template class dgd_test::AnyPair<float, 2>;
