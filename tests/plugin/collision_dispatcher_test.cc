@@ -52,13 +52,9 @@ void ExpectSameWorlds(const std::vector<int>& thread_counts, const dgd_bullet::O
   }
 }
 
-TEST(CollisionDispatcher, AnyNumberOfThreads_GivesTheWorldOfBulletsDispatcher) {
-  ExpectSameWorlds({1, 2, 3}, {});
-}
+TEST(CollisionDispatcher, AnyNumberOfThreads_GivesTheWorldOfBulletsDispatcher) { ExpectSameWorlds({1, 2, 3}, {}); }
 
-TEST(CollisionDispatcher, CountedPairs_HaveTheStatisticsOfBulletsDispatcher) {
-  ExpectSameWorlds({2}, Counting());
-}
+TEST(CollisionDispatcher, CountedPairs_HaveTheStatisticsOfBulletsDispatcher) { ExpectSameWorlds({2}, Counting()); }
 
 TEST(CollisionDispatcher, WithoutEmptyManifolds_ListsManifoldsInBulletsOrder) {
   dgd_bullet::Options options;
