@@ -9,6 +9,10 @@
 #include "picture_file.h"
 #include "small_scenes.h"
 
+#ifdef DGD_DEMOS_RECORD
+#include <dgd_bullet/record_file.h>
+#endif
+
 namespace dgd_demos {
 namespace {
 
