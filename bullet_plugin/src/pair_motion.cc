@@ -34,6 +34,7 @@ PairMotion::Twist PairMotion::Read(const BoundedBody& body, double time_step) {
                  FromBullet(velocity.angular),
                  FromBullet(btScalar(time_step) * acceleration),
                  FromBullet(object.getWorldTransform().getOrigin()),
+                 &object,
                  body.radius,
                  link != nullptr};
   };
@@ -45,6 +46,16 @@ PairMotion::Twist PairMotion::Read(const BoundedBody& body, double time_step) {
 
 dgd::Motion<double> PairMotion::Twist::MotionOf(const Pose& pose, double time) const {
   return {pose, time * PredictedLinear(), time * angular, pose.rotation.transpose() * (center - pose.translation)};
+}
+
+bool PairMotion::Twist::TurnsOver(const Vector3& from, const Vector3& to, const Vector3& axis) const {
+  const btRigidBody* rigid = body == nullptr ? nullptr : btRigidBody::upcast(body);
+  // Of a link, the bodies next to it count as well.
+  if (rigid == nullptr || !(rigid->getInvMass() > 0)) return true;
+  const btVector3 about = ToBullet(axis);
+  const double inverse_inertia = double(about.dot(rigid->getInvInertiaTensorWorld() * about));
+  const double gyration = axis.squaredNorm() * double(rigid->getInvMass());  // Over the inverse inertia, its square.
+  return gyration + inverse_inertia * (from - center).dot(to - center) > 0;
 }
 
 PairMotion::PairMotion(const BoundedBody& body_a, const BoundedBody& body_b, double time_step)

@@ -102,6 +102,17 @@ class PairMotion {
     return time_step_ * (a_.angular - b_.angular).cross(normal).norm() * std::min(a_.radius, b_.radius);
   }
 
+  /// Whether bodies that turn about one contact go on turning about another one where they land next, and leave the
+  /// first: a wheel does, a rod that comes to lie does not. By Housner's impact, in which a body sticks where it lands
+  /// and keeps its angular momentum about that place: k^2 + <from - c, to - c> > 0, with the centre of mass c and the
+  /// radius of gyration k (G. Housner, The behavior of inverted pendulum structures during earthquakes, 1963).
+  /// @param from, to  Places of the contacts, world, metres.
+  /// @param normal    Of both, unit, world.
+  bool TurnOver(const Vector3& from, const Vector3& to, const Vector3& normal) const {
+    const Vector3 axis = (to - from).cross(normal);
+    return a_.TurnsOver(from, to, axis) && b_.TurnsOver(from, to, axis);
+  }
+
   /// The motion of a pose that is fixed to a body over the time step.
   dgd::Motion<double> MotionOfA(const Pose& pose) const { return a_.MotionOf(pose, time_step_); }
   dgd::Motion<double> MotionOfB(const Pose& pose) const { return b_.MotionOf(pose, time_step_); }
@@ -116,13 +127,15 @@ class PairMotion {
     /// No point goes faster along `normal` by rotation alone, on average over any time: turned by an angle about an
     /// axis, a unit vector's end goes that angle at most times its distance from the axis.
     double RimSpeed(const Vector3& normal) const { return angular.cross(normal).norm() * radius; }
+    bool TurnsOver(const Vector3& from, const Vector3& to, const Vector3& axis) const;
 
-    Vector3 linear = Vector3::Zero();   // Velocity of the centre of mass, metres per second.
-    Vector3 angular = Vector3::Zero();  // Angular velocity, radians per second.
-    Vector3 gain = Vector3::Zero();     // What the forces on the body add to its velocity within the step.
-    Vector3 center = Vector3::Zero();   // Centre of mass, world, metres.
-    double radius = 0;                  // Distance of the farthest point from the centre, metres.
-    bool is_link = false;               // Whether the body is a multibody's link.
+    Vector3 linear = Vector3::Zero();         // Velocity of the centre of mass, metres per second.
+    Vector3 angular = Vector3::Zero();        // Angular velocity, radians per second.
+    Vector3 gain = Vector3::Zero();           // What the forces on the body add to its velocity within the step.
+    Vector3 center = Vector3::Zero();         // Centre of mass, world, metres.
+    const btCollisionObject* body = nullptr;  // The body, unless it never moves.
+    double radius = 0;                        // Distance of the farthest point from the centre, metres.
+    bool is_link = false;                     // Whether the body is a multibody's link.
   };
 
   static Twist Read(const BoundedBody& body, double time_step);

@@ -44,5 +44,22 @@ TEST_F(OfTwoBodies, KinematicBodyFlaggedAsNothingElse_Moves) {
   EXPECT_EQ(Way(), 2 * kTime);
 }
 
+/// Whether a box on edge goes on turning about its next edge, with its base along x.
+bool TurnsOver(double half_base, double half_height) {
+  btBoxShape shape(Vec(half_base, 0.1, half_height));
+  const auto box = MakeRigidBody(shape, 1, At(0, 0, half_height));
+  const auto ground = MakeRigidBody(shape, 0, At(0, 0, -half_height));
+  const PairMotion motion(dgd_bullet::BoundedBody(*ground), dgd_bullet::BoundedBody(*box), kTime);
+  return motion.TurnOver({-half_base, 0, 0}, {half_base, 0, 0}, Vector3::UnitZ());
+}
+
+// Housner's impact turns a box about its next edge if its base is less than the root of two times its height.
+TEST(TurnOver, Box_RocksIfItIsSlender) {
+  EXPECT_TRUE(TurnsOver(0.1, 0.5));
+  EXPECT_TRUE(TurnsOver(1.39, 1));
+  EXPECT_FALSE(TurnsOver(1.44, 1));
+  EXPECT_FALSE(TurnsOver(0.5, 0.02));
+}
+
 }  // namespace
 }  // namespace dgd_test

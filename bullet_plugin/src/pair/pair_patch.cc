@@ -57,7 +57,8 @@ dgd::ContactPatch<double> FindPatch(const Contact& contact, const dgd::FacingFac
     const double overlap = remaining * rules.motion.Coasting(point, contact.normal) - separation;
     if (overlap < -rules.flush) return separation <= settings.contact_distance;
     if (rules.range.is_rebound) return false;
-    return moment.is_impact || IsFastLanding(rules, contact.normal, overlap);
+    return moment.is_impact || IsFastLanding(rules, contact.normal, overlap) ||
+           !rules.motion.TurnOver((contact.witness_1 + contact.witness_2) / 2, point, contact.normal);
   };
   return dgd::FindContactPatch(contact, facing, touching, counts);
 }

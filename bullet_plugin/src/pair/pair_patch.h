@@ -78,8 +78,9 @@ void FindContactsByMotion(const PosedShape& shape_a, const PosedShape& shape_b, 
 /// within the step next to others in touch counts from the next one: until then the others carry the weight. On
 /// average, a corner carries from the moment that it lands so, since Bullet's solver takes what a step begins with for
 /// half a step before that and half after; to meet it ahead would brake hulls that roll (tests/plugin, RollingHull).
-/// What lands faster than from a fall by the breaking threshold counts at once, and in an impact all that lands, unless
-/// the bodies rebound: each point would take the whole rebound.
+/// At once counts what lands faster than from a fall by the breaking threshold, and what the bodies do not turn over,
+/// as a wheel does, but come to lie on: small ones would rock for ever, which fall by much of their size in a step. In
+/// an impact all counts that lands. Of bodies that rebound nothing does ahead: each point would take the whole rebound.
 dgd::ContactPatch<double> FindPatch(const Contact& contact, const dgd::FacingFaces<double>& facing,
                                     const PatchRules& rules, const Moment& moment);
 
