@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include "dgd/shapes/vertex_scan_kernels.h"
@@ -15,13 +16,16 @@ namespace {
 constexpr std::size_t kLaneBytes = 32;
 template <class S>
 using Lanes __attribute__((vector_size(kLaneBytes))) = S;
-/// Unaligned, and allowed to alias the scalars that it reads.
-template <class S>
-using LoadLanes __attribute__((vector_size(kLaneBytes), aligned(alignof(S)), may_alias)) = S;
-
+// Arrays of scalars are aligned as scalars.
 template <class S>
 inline Lanes<S> Load(const S* from) {
-  return *reinterpret_cast<const LoadLanes<S>*>(from);
+  Lanes<S> lanes;
+  std::memcpy(&lanes, from, sizeof lanes);
+  return lanes;
+}
+template <class S>
+inline void Store(const Lanes<S>& lanes, S* to) {
+  std::memcpy(to, &lanes, sizeof lanes);
 }
 template <class S>
 inline Lanes<S> Broadcast(S value) {
@@ -86,8 +90,7 @@ inline void PlaceAll(const S* x, std::size_t padded, const S* center, const S* m
     const Lanes<S> from_x = Load(x + i) - center_x, from_y = Load(x + padded + i) - center_y,
                    from_z = Load(x + 2 * padded + i) - center_z;
     for (std::size_t row = 0; row < 3; ++row) {
-      *reinterpret_cast<LoadLanes<S>*>(placed + row * padded + i) =
-          m[row] * from_x + m[3 + row] * from_y + m[6 + row] * from_z;
+      Store<S>(m[row] * from_x + m[3 + row] * from_y + m[6 + row] * from_z, placed + row * padded + i);
     }
   }
 }
