@@ -8,8 +8,9 @@
 namespace dgd_bullet {
 namespace {
 
-/// Growth distance below which shapes are deep in each other.
-constexpr double kDeep = 0.5;
+/// Growth distance below which shapes are deep in each other. With 0.5 and 0.25 one of eight bodies of an app's own
+/// falls through a mesh at 60 Hz (physics_truth, rest); fifty polytopes never get so deep.
+constexpr double kDeep = 0.75;
 
 /// Least gain of separation that is worth turning the normal, as a part of the tolerance.
 constexpr double kMinGain = 0.1;
