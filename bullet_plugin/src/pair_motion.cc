@@ -50,12 +50,12 @@ dgd::Motion<double> PairMotion::Twist::MotionOf(const Pose& pose, double time) c
 
 bool PairMotion::Twist::TurnsOver(const Vector3& from, const Vector3& to, const Vector3& axis) const {
   const btRigidBody* rigid = body == nullptr ? nullptr : btRigidBody::upcast(body);
-  // Of a link, the bodies next to it count as well.
+  // A link's neighbours take part in its impact: it counts as one that turns over.
   if (rigid == nullptr || !(rigid->getInvMass() > 0)) return true;
   const btVector3 about = ToBullet(axis);
   const double inverse_inertia = double(about.dot(rigid->getInvInertiaTensorWorld() * about));
-  const double gyration = axis.squaredNorm() * double(rigid->getInvMass());  // Over the inverse inertia, its square.
-  return gyration + inverse_inertia * (from - center).dot(to - center) > 0;
+  // Both sides of the condition times the inverse inertia, which k^2 is the inverse mass over.
+  return axis.squaredNorm() * double(rigid->getInvMass()) + inverse_inertia * (from - center).dot(to - center) > 0;
 }
 
 PairMotion::PairMotion(const BoundedBody& body_a, const BoundedBody& body_b, double time_step)

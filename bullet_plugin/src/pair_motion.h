@@ -127,6 +127,7 @@ class PairMotion {
     /// No point goes faster along `normal` by rotation alone, on average over any time: turned by an angle about an
     /// axis, a unit vector's end goes that angle at most times its distance from the axis.
     double RimSpeed(const Vector3& normal) const { return angular.cross(normal).norm() * radius; }
+    /// @param axis  The axis that the body turns about, of any length.
     bool TurnsOver(const Vector3& from, const Vector3& to, const Vector3& axis) const;
 
     Vector3 linear = Vector3::Zero();         // Velocity of the centre of mass, metres per second.
@@ -135,7 +136,7 @@ class PairMotion {
     Vector3 center = Vector3::Zero();         // Centre of mass, world, metres.
     const btCollisionObject* body = nullptr;  // The body, unless it never moves.
     double radius = 0;                        // Distance of the farthest point from the centre, metres.
-    bool is_link = false;                     // Whether the body is a multibody's link.
+    bool is_link = false;                     // Whether it is a multibody's link.
   };
 
   static Twist Read(const BoundedBody& body, double time_step);

@@ -53,11 +53,24 @@ TEST(HalfSpaceDistance, AnySet_TouchesAtTheGrowthDistance) {
     } else {
       EXPECT_EQ(result.GrowthDistance(), 0);
     }
+    const auto collision = dgd::DetectCollision(cone, pose, kGround, ground);
+    EXPECT_EQ(collision.status, result.separation > 0 ? dgd::Status::kSeparated : dgd::Status::kColliding);
     const dgd::RoundedSet slab{dgd::Box<double>(Vector3d::Constant(1e3)), 0.0};
     const dgd::Pose<double> below{ground.rotation, ground * Vector3d(0, 0, -1e3)};
-    EXPECT_EQ(dgd::DetectCollision(cone, pose, slab, below).status,
-              result.separation > 0 ? dgd::Status::kSeparated : dgd::Status::kColliding);
+    EXPECT_EQ(dgd::DetectCollision(cone, pose, slab, below).status, collision.status);
   }
+}
+
+TEST(HalfSpaceDistance, OtherOrder_SwapsTheAnswer) {
+  const dgd::RoundedSet box{dgd::Box<double>({1, 2, 3}), 0.25};
+  const auto a = dgd::GrowthDistance(box, At({0, 0, 4}), kGround, At({0, 0, 0}));
+  const auto b = dgd::GrowthDistance(kGround, At({0, 0, 0}), box, At({0, 0, 4}));
+  EXPECT_EQ(a.GrowthDistance(), 4 / 3.25);
+  EXPECT_EQ(b.GrowthDistance(), a.GrowthDistance());
+  EXPECT_EQ(b.normal, -a.normal);
+  EXPECT_EQ(b.witness_1, a.witness_2);
+  EXPECT_EQ(b.witness_2, a.witness_1);
+  EXPECT_EQ(dgd::DetectCollision(kGround, {}, box, At({0, 0, 4})).normal, Vector3d(0, 0, 1));
 }
 
 TEST(HalfSpaceDistance, InThePlane_IsTheSame) {
@@ -73,7 +86,7 @@ TEST(HalfSpaceDistance, BadAndDegenerateInput_HasADefinedOutcome) {
   EXPECT_EQ(dgd::GrowthDistance(point, At({0, 0, 1}), kGround, {}).status, dgd::Status::kNoInterior);
   EXPECT_EQ(dgd::GrowthDistance(point, At({0, 0, -1}), kGround, {}).GrowthDistance(), 0);
   EXPECT_EQ(dgd::GrowthDistance(point, At({0, nan, 1}), kGround, {}).status, dgd::Status::kInvalidInput);
-  EXPECT_EQ(dgd::GrowthDistance(point, At({0, 0, nan}), kGround, {}).status, dgd::Status::kInvalidInput);
+  EXPECT_EQ(dgd::DetectCollision(point, At({0, 0, nan}), kGround, {}).status, dgd::Status::kInvalidInput);
   const auto limited = dgd::GrowthDistance(point, At({0, 0, -1}), kGround, {}, {.separation_limit = 0.5});
   EXPECT_EQ(limited.status, dgd::Status::kOptimal);
   const auto apart = dgd::GrowthDistance(dgd::Sphere(0.5), At({0, 0, 3}), kGround, {}, {.separation_limit = 0.5});

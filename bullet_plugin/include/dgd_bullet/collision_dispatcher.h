@@ -18,7 +18,8 @@ namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
 struct DispatcherOptions {
-  /// Threads that solve pairs, that of the step among them: 1 to 64.
+  /// Threads that solve pairs, that of the step among them: 1 to 64. More than the machine has cost time, and change
+  /// nothing else.
   int threads = 1;
 };
 
@@ -41,9 +42,10 @@ struct DispatcherOptions {
 /// with DISPATCH_CONTINUOUS; with CD_DISABLE_CONTACTPOOL_DYNAMIC_ALLOCATION, where the order decides which pairs get
 /// the last manifolds; and for a pair cache that has fewer pairs than the world's, such as a ghost's.
 ///
-/// Bullet's contact callbacks, users' shapes, checkCollideWith() and allocators may be called by several threads at
-/// once, as with btCollisionDispatcherMt, and must not throw then. Callbacks that end a contact because its manifold is
-/// released come after all pairs.
+/// Bullet's contact callbacks (gContactAddedCallback and its like), users' shapes, checkCollideWith() and allocators
+/// may be called by several threads at once, as with btCollisionDispatcherMt, and must not throw then: with more than
+/// one thread, an exception ends the program. Callbacks that end a contact because its manifold is released come after
+/// all pairs.
 class DGD_BULLET_EXPORT CollisionDispatcher : public btCollisionDispatcher {
  public:
   /// Starts the threads, which wait until there are pairs.

@@ -15,10 +15,12 @@ enum class GeometryMode {
            ///< capsules keep their radius.
 };
 
-/// Is shown each pair of convex shapes before the narrowphase solves it, as by Recorder (dgd_bullet/recorder.h).
+/// An observer of the pairs of convex shapes, called before the narrowphase solves each. Recorder
+/// (dgd_bullet/recorder.h) is one.
 class PairObserver {
  public:
-  /// Shows a pair in Bullet's order. Several threads may call this at once. The wrappers end with the call.
+  /// A pair is about to be solved, its bodies in Bullet's order. Several threads may call this at once. The wrappers
+  /// end with the call.
   virtual void OnPair(const btCollisionObjectWrapper& body_0, const btCollisionObjectWrapper& body_1) noexcept = 0;
 
  protected:
@@ -51,9 +53,10 @@ struct Options {
   double angular_tolerance = 1.47;
 
   /// Distance up to which bodies get contacts; metres, >= 0. 0 stands for each manifold's breaking threshold, which is
-  /// Bullet's own measure (2 cm for large bodies); points in manifolds that are not the pair's own never exceed that.
-  /// In a dynamics world, bodies that approach each other get contacts only if they meet within the time step, and
-  /// those that rebound (combined restitution above 0) only where they touch or will within it.
+  /// Bullet's own measure (2 cm for large bodies). Larger values hand over contacts earlier, which Bullet's solver
+  /// keeps open until they close; points in manifolds that are not the pair's own never exceed the threshold. In a
+  /// dynamics world, bodies that approach each other get contacts only if they meet within the time step, and those
+  /// that rebound (combined restitution above 0) only where they touch or will within it.
   double contact_distance = 0;
 
   /// What the bodies' surfaces are. Bounding boxes stay Bullet's, margins included, in either mode.
@@ -70,7 +73,9 @@ struct Options {
   /// since, within the friction cone, and piles do not creep: the blocks of scenes/pyramid_28.json move by 37 mm in a
   /// minute without, 1.3 mm with it (float, without keep_resting_contacts). Off: friction opposes speed only, as with
   /// Bullet. Needs contact_patch.
-  /// Physics: see src/manifold/friction_anchors.h.
+  /// Physics: the correction is only the slip that the solver left of contacts that have stuck for two steps, up to a
+  /// hundredth of the breaking threshold; not what rolls or slides, nor what a surface's own velocity, a callback or an
+  /// app moves (tests/physics: slide, swing_force, taps, belt, platform, feeder, teleport).
   bool friction_anchors = true;
 
   /// The contact point that carried most in the last step comes first in its manifold, the others around the patch, as
@@ -81,10 +86,10 @@ struct Options {
 
   /// Bodies that have not moved by more than a thousandth of the breaking threshold (20 micrometres for large ones)
   /// since their contacts were found recycle them, at a fifth of the cost: only distances are updated. So do bodies on
-  /// each other's faces that have moved together, by no more than a twelfth of the threshold against each other; their
-  /// normal turns with the face. In manifolds of the pair's own only; needs contact_patch and warm_start.
-  /// Physics: no distance is off by more than 10 micrometres for large bodies, no place by more than 1.6 mm, along the
-  /// face.
+  /// each other's faces that have moved together: by no more than a twelfth of the threshold against each other, nor by
+  /// more than leaves each distance within a two-thousandth of it. Their normal turns with the face. In manifolds of
+  /// the pair's own only; needs contact_patch and warm_start. Physics: no distance is off by more than 10 micrometres
+  /// for large bodies, no place by more than 1.6 mm, along the face.
   bool keep_resting_contacts = true;
 
   /// Start each step's query of a pair from its last result. Off: the result depends on nothing but shapes, poses and

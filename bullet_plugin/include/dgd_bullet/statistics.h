@@ -16,9 +16,8 @@ inline namespace DGD_BULLET_PRECISION {
 struct FallbackCounts {
   std::uint64_t fallbacks_not_converged = 0;  ///< Iteration limit, or bounds that rounding kept apart.
   std::uint64_t fallbacks_no_interior = 0;    ///< Two flat shapes without margins: no growth distance exists.
-  std::uint64_t fallbacks_invalid = 0;  ///< NaN or infinity in a pose or a shape: no contacts, from Bullet neither.
-  std::uint64_t fallbacks_no_memory =
-      0;  ///< No memory for a hull, or in Bullet's pools: no contacts, until the next try.
+  std::uint64_t fallbacks_invalid = 0;    ///< NaN or infinity in a pose or a shape: no contacts, from Bullet neither.
+  std::uint64_t fallbacks_no_memory = 0;  ///< For a hull, or in Bullet's pools: no contacts until the next try.
 
   std::uint64_t Fallbacks() const {
     return fallbacks_not_converged + fallbacks_no_interior + fallbacks_invalid + fallbacks_no_memory;

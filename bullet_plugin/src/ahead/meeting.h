@@ -68,7 +68,7 @@ class MovingPair {
 };
 
 /// Finds out whether two shapes that are apart, or overlap by less than counts, meet within the step, and moves them to
-/// where they do, or else to the step's end.
+/// where they do, or else to the step's end. Returns whether they meet.
 /// @param contact        In: at the beginning of the step. Out: where they meet, if they do; its growth distance stays
 ///                       unknown.
 /// @param flush          Metres: bodies that overlap by no more than this do not meet, so that one that slides over the

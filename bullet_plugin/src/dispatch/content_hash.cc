@@ -46,19 +46,5 @@ std::uint64_t ContentHash(const btCollisionShape& shape) {
   return hash != 0 ? hash : 1;
 }
 
-btScalar CoreRadius(const btConvexShape& shape) {
-  btVector3 corner(0, 0, 0);
-  for (int axis = 0; axis < 3; ++axis) {
-    btVector3 direction(0, 0, 0);
-    for (const btScalar sign : {btScalar(-1), btScalar(1)}) {
-      direction[axis] = sign;
-      corner[axis] = btMax(corner[axis], btFabs(shape.localGetSupportVertexWithoutMarginNonVirtual(direction)[axis]));
-    }
-  }
-  // The axis is tried on the whole of a box.
-  const btScalar margin = shape.getShapeType() == BOX_SHAPE_PROXYTYPE ? btFabs(shape.getMargin()) : 0;
-  return (corner + btVector3(margin, margin, margin)).length();
-}
-
 }  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

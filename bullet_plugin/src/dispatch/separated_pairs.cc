@@ -15,6 +15,21 @@ namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 namespace {
 
+/// Half the diagonal of a box about the origin that contains the core, a shape without its margin; metres.
+btScalar CoreRadius(const btConvexShape& shape) {
+  btVector3 corner(0, 0, 0);
+  for (int axis = 0; axis < 3; ++axis) {
+    btVector3 direction(0, 0, 0);
+    for (const btScalar sign : {btScalar(-1), btScalar(1)}) {
+      direction[axis] = sign;
+      corner[axis] = btMax(corner[axis], btFabs(shape.localGetSupportVertexWithoutMarginNonVirtual(direction)[axis]));
+    }
+  }
+  // The axis is tried on the whole of a box.
+  const btScalar margin = shape.getShapeType() == BOX_SHAPE_PROXYTYPE ? btFabs(shape.getMargin()) : 0;
+  return (corner + btVector3(margin, margin, margin)).length();
+}
+
 constexpr std::uint32_t kNoBody = std::numeric_limits<std::uint32_t>::max();
 
 /// Roundoff of the bound and of the separation that the pair's algorithm finds, with its allowance (32 epsilon of the

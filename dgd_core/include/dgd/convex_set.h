@@ -146,8 +146,8 @@ concept ScannedCore = VertexCore<Core> && requires(const Core& core) {
   { core.Scan() } -> std::same_as<const PointArrays<typename Core::Scalar>*>;
 };
 
-/// A core that has an ellipsoid about as long as itself: a cold query of a curved set begins with a normal that is
-/// guessed from it.
+/// A core with an ellipsoid that reaches about as far in each direction: a cold query of a curved set begins with a
+/// normal that is guessed from it.
 ///  * Spread(): a symmetric, positive semidefinite matrix M, full or diagonal; core's frame, metres squared. About
 ///    Center(), the core reaches about as far as the ellipsoid does whose support value along d is sqrt(<d, M d>). Any
 ///    will do; a good one saves a direction.

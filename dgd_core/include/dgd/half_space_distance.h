@@ -1,4 +1,4 @@
-// Growth distance to a half-space, in closed form.
+// Growth distance and collision check against a half-space, in closed form.
 //
 // A half-space is unbounded, so the paper's Def. 3 needs a word on its centre: about any point of its border it looks
 // the same however it is scaled. So the growth distance is the scale at which the other set alone, grown about its own
@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cmath>
+#include <utility>
 
 #include "dgd/growth_distance.h"
 #include "dgd/shapes/half_space.h"
@@ -44,6 +45,46 @@ requires ConvexCore<typename Set::Core> ResultOf<Set> GrowthDistance(
   }
   result.lower_bound = result.upper_bound = height > 0 ? height / depth : S(0);
   result.status = result.separation > settings.separation_limit ? Status::kSeparated : Status::kOptimal;
+  return result;
+}
+
+/// The same in the other order.
+template <class Set>
+requires ConvexCore<typename Set::Core> ResultOf<Set> GrowthDistance(
+    const HalfSpace<typename Set::Scalar, kDimension<typename Set::Core>>& half_space,
+    const PoseOf<Set>& half_space_pose, const Set& set, const PoseOf<Set>& pose,
+    const Settings<typename Set::Scalar>& settings = {}) {
+  ResultOf<Set> result = GrowthDistance(set, pose, half_space, half_space_pose, settings);
+  result.normal = -result.normal;
+  std::swap(result.witness_1, result.witness_2);
+  return result;
+}
+
+/// Whether a set and a half-space have a point in common.
+template <class Set>
+requires ConvexCore<typename Set::Core> CollisionResultOf<Set> DetectCollision(
+    const Set& set, const PoseOf<Set>& pose,
+    const HalfSpace<typename Set::Scalar, kDimension<typename Set::Core>>& half_space,
+    const PoseOf<Set>& half_space_pose) {
+  const ResultOf<Set> distance = GrowthDistance(set, pose, half_space, half_space_pose);
+  CollisionResultOf<Set> result;
+  if (distance.status == Status::kInvalidInput) return result;
+  const bool apart = distance.separation > 0;
+  result.status = apart ? Status::kSeparated : Status::kColliding;
+  result.iterations = distance.iterations;
+  result.normal = distance.normal;
+  result.separation = distance.separation;
+  result.point = apart ? (distance.witness_1 + distance.witness_2) / typename Set::Scalar(2) : distance.witness_1;
+  return result;
+}
+
+/// The same in the other order.
+template <class Set>
+requires ConvexCore<typename Set::Core> CollisionResultOf<Set> DetectCollision(
+    const HalfSpace<typename Set::Scalar, kDimension<typename Set::Core>>& half_space,
+    const PoseOf<Set>& half_space_pose, const Set& set, const PoseOf<Set>& pose) {
+  CollisionResultOf<Set> result = DetectCollision(set, pose, half_space, half_space_pose);
+  result.normal = -result.normal;
   return result;
 }
 
