@@ -85,7 +85,7 @@ void AddTrace(const CollisionModel& model, const JointPath& path, double radius,
   for (const Configuration& state : Subdivide(path, kTraceStep)) {
     const Vector3d next = FlangePose(model.arm(), state).position;
     const double length = (next - last).norm();
-    if (length < radius / 2) continue;  // Hidden by the last piece's round end.
+    if (length < 3 * radius) continue;  // So short a piece changes nothing that one sees, and a thousand take a minute.
     Pose pose;
     pose.position = (last + next) / 2;
     const Vector3d direction = (next - last) / length;
