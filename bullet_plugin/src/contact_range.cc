@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "lengths.h"
+#include "user_query.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
@@ -25,14 +26,14 @@ PairMotion MotionOfStep(const PairManifold& manifold, const BoundedBody& body_a,
 ContactRange RangeOfContacts(const Options& options, const PairManifold& manifold, const PairMotion& motion,
                              const btManifoldResult& output) {
   const double breaking_threshold = manifold.BreakingThreshold();
+  // Bodies that nothing keeps apart, sensors most often, are in contact when they overlap, in a step or without.
+  const bool has_response =
+      output.getBody0Internal()->hasContactResponse() && output.getBody1Internal()->hasContactResponse();
+  if (!has_response && !IsUserQuery(output)) return {0, 0};
   if (!motion.IsKnown()) {
     const double distance = ContactDistance(options, breaking_threshold, output);
     return {distance, distance};
   }
-  // Bodies that nothing keeps apart, sensors most often, are in contact when they overlap.
-  const bool has_response =
-      output.getBody0Internal()->hasContactResponse() && output.getBody1Internal()->hasContactResponse();
-  if (!has_response) return {0, 0};
   double touching = options.contact_distance > 0 ? options.contact_distance : breaking_threshold;
   const bool is_rebound = Rebounds(output);
   if (is_rebound) {

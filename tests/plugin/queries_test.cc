@@ -204,6 +204,21 @@ TEST_P(ContactQueries, Ghost_SeesTheManifoldsOfItsPairs) {
   world_.world().removeCollisionObject(&ghost);
 }
 
+// A world that only detects never steps: a box of one metre was in contact 17 mm before it touched.
+TEST_P(ContactQueries, SensorWithoutAStep_IsInContactWhenItOverlaps) {
+  btBoxShape slab(Vec(9, 9, 1));
+  for (const ZooShape& shape : MakeShapeZoo(1)) {
+    SCOPED_TRACE(shape.name);
+    PairQuery pair(world_.dispatcher(), *shape.shape, slab);
+    pair.body_a().setCollisionFlags(pair.body_a().getCollisionFlags() | btCollisionObject::CF_NO_CONTACT_RESPONSE);
+    const double touching = 1 + double(shape.shape->localGetSupportingVertex(Vec(0, 0, 1)).z());
+    for (const double gap : {0.01, -0.01}) {
+      pair.SetPoses(At(0, 0, 0), At(0, 0, touching + gap));
+      EXPECT_EQ(pair.Step().empty(), gap > 0) << gap;
+    }
+  }
+}
+
 /// A flat ground of triangles: a grid of 2 x `cells` x `cells` triangles, `width` metres wide, at z = 0.
 btBvhTriangleMeshShape& MakeMeshGround(TestWorld& world, int cells, double width) {
   auto& mesh = world.Make<btTriangleMesh>();
