@@ -26,10 +26,13 @@ PairMotion MotionOfStep(const PairManifold& manifold, const BoundedBody& body_a,
 ContactRange RangeOfContacts(const Options& options, const PairManifold& manifold, const PairMotion& motion,
                              const btManifoldResult& output) {
   const double breaking_threshold = manifold.BreakingThreshold();
-  // Bodies that nothing keeps apart, sensors most often, are in contact when they overlap, in a step or without.
+  // Nothing keeps a sensor apart from others: it overlaps them first, in a step or without. A query gets what is near.
   const bool has_response =
       output.getBody0Internal()->hasContactResponse() && output.getBody1Internal()->hasContactResponse();
-  if (!has_response && !IsUserQuery(output)) return {0, 0};
+  if (!has_response && !IsUserQuery(output)) {
+    const auto distance = double(output.m_closestPointDistanceThreshold);
+    return {distance, distance};
+  }
   if (!motion.IsKnown()) {
     const double distance = ContactDistance(options, breaking_threshold, output);
     return {distance, distance};

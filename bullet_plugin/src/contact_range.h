@@ -30,6 +30,7 @@ inline double ContactDistance(const Options& options, double breaking_threshold,
 /// bodies are in contact within Bullet's own breaking threshold. Where bodies approach each other, though, only if they
 /// really meet, since a contact would act on bodies that pass each other; and bodies that rebound only where they touch
 /// or will within the step, since a gap over the time step would be taken from the speed at which they part.
+/// Bodies without a contact response meet no solver, and are in contact when they overlap.
 struct ContactRange {
   /// Separation up to which bodies are in contact however they move; metres, negative for an overlap.
   double touching = 0;

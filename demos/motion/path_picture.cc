@@ -82,10 +82,14 @@ void AddArm(const CollisionModel& model, const Configuration& state, const Vecto
 void AddTrace(const CollisionModel& model, const JointPath& path, double radius, const Vector3d& colour,
               Drawing& drawing) {
   Vector3d last = FlangePose(model.arm(), path.front()).position;
-  for (const Configuration& state : Subdivide(path, kTraceStep)) {
-    const Vector3d next = FlangePose(model.arm(), state).position;
+  const JointPath states = Subdivide(path, kTraceStep);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const Vector3d next = FlangePose(model.arm(), states[i]).position;
     const double length = (next - last).norm();
-    if (length < 3 * radius) continue;  // So short a piece changes nothing that one sees, and a thousand take a minute.
+    // Pieces as short as that change nothing that one sees, and a thousand take a minute to draw. The path's end shows
+    // unless the last piece's round end covers it.
+    const bool is_end = i + 1 == states.size();
+    if (length < (is_end ? 0.5 : 3) * radius) continue;
     Pose pose;
     pose.position = (last + next) / 2;
     const Vector3d direction = (next - last) / length;

@@ -216,6 +216,15 @@ TEST_P(ContactQueries, SensorWithoutAStep_IsInContactWhenItOverlaps) {
       pair.SetPoses(At(0, 0, 0), At(0, 0, touching + gap));
       EXPECT_EQ(pair.Step().empty(), gap > 0) << gap;
     }
+    // An app that asks the pair by hand gets what it asks for.
+    pair.SetPoses(At(0, 0, 0), At(0, 0, touching + 0.01));
+    const btCollisionObjectWrapper a(nullptr, shape.shape.get(), &pair.body_a(), pair.body_a().getWorldTransform(), -1,
+                                     -1);
+    const btCollisionObjectWrapper b(nullptr, &slab, &pair.body_b(), pair.body_b().getWorldTransform(), -1, -1);
+    btManifoldResult near(&a, &b);
+    near.m_closestPointDistanceThreshold = btScalar(0.02);
+    pair.algorithm()->processCollision(&a, &b, btDispatcherInfo(), &near);
+    EXPECT_GT(pair.manifold()->getNumContacts(), 0);
   }
 }
 

@@ -60,7 +60,8 @@ requires ConvexCore<typename Set::Core> ResultOf<Set> GrowthDistance(
   return result;
 }
 
-/// Whether a set and a half-space have a point in common.
+/// Whether a set and a half-space have a point in common, exact up to roundoff: kSeparated or kColliding, never
+/// kTouching; also for sets without an interior. kInvalidInput where a number is not finite.
 template <class Set>
 requires ConvexCore<typename Set::Core> CollisionResultOf<Set> DetectCollision(
     const Set& set, const PoseOf<Set>& pose,
