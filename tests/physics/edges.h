@@ -1,4 +1,4 @@
-// Inner edges that bodies slide over, and outer edges that they stand and turn on.
+// Inner edges that bodies slide over, and outer edges that they stand, turn and fall on.
 #pragma once
 
 #include "physics/experiment.h"

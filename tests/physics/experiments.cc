@@ -6,6 +6,7 @@
 #include "physics/near_miss.h"
 #include "physics/resting.h"
 #include "physics/restitution.h"
+#include "physics/rolling_hulls.h"
 #include "physics/spinning.h"
 
 namespace dgd_physics {
@@ -40,6 +41,8 @@ const std::vector<Experiment>& Experiments() {
       {"disc_circle", "a disc that rolls in a circle: energy kept in 3 s", MeasureDiscCircle},
       {"rolling", "balls and cylinders that roll on the level, fast and slowly: kinetic energy kept in 4 s",
        MeasureRolling},
+      {"rolling_hulls", "wheels and balls given as hulls, thrown dice: way, against that from impact to impact",
+       MeasureRollingHulls},
       {"torsion", "a box that spins about the vertical: angle until friction at its corners stops it", MeasureTorsion},
       {"near_rod", "a rod that spins half a millimetre clear of another: spin kept", MeasureNearRod},
       {"graze", "a body that a face passes, or it a face, 1 to 15 mm clear: change of velocity, over the speed",
@@ -58,7 +61,7 @@ const std::vector<Experiment>& Experiments() {
        MeasureDropDead},
       {"rest", "bodies that have come to rest: speed, over 5 cm/s", MeasureRest},
       {"weight", "loads on two or four supports: forces, against statics", MeasureWeight},
-      {"stack", "five boxes on each other for 5 s: way of the topmost, over the height", MeasureStack},
+      {"stack", "two to five boxes on each other for 5 s: way of the topmost, over the height", MeasureStack},
       {"tunnel", "fast bodies at thin plates, and plates at bodies, without Bullet's CCD: share that goes through",
        MeasureTunnel},
   };

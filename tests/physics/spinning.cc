@@ -66,7 +66,7 @@ Sample MeasureDisc(const Conditions& conditions, const DiscCase& it, double seco
 /// A ball, or a cylinder that lies across its way: kinetic energy kept.
 Sample MeasureRolling(const Conditions& conditions, bool is_ball, Ground ground, double radius, double speed, int index,
                       const std::string& group) {
-  const double kDuration = getenv("SLOWT") && speed < .1 ? atof(getenv("SLOWT")) : 4;  // s
+  constexpr double kDuration = 4;  // s
   Lab lab(conditions);
   lab.AddGround(ground, btTransform::getIdentity(), {.cells = 40, .pitch = 0.7});
   btConvexShape& shape = is_ball ? static_cast<btConvexShape&>(lab.Make<btSphereShape>(btScalar(radius)))

@@ -9,6 +9,7 @@
 #include "physics/experiment.h"
 #include "physics/friction.h"
 #include "physics/moving_support.h"
+#include "physics/rolling_solid.h"
 #include "physics/spinning.h"
 #include "physics/steady_disc.h"
 
@@ -75,6 +76,47 @@ TEST(RollInCircle, WideCircle_LeansAsInTheTextbook) {
   constexpr double kLean = 0.01, kPrecession = 0.05;
   const SteadyMotion motion = RollInCircle(ThinDisc(0.4), std::acos(0.0) - kLean, kPrecession);
   EXPECT_NEAR(1.5 * kPrecession * std::abs(motion.center_speed) / kGravity, std::tan(kLean), 2e-2 * kLean);
+}
+
+Solid PrismOf(int sides, double radius, double half_width) {
+  Solid solid;
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 4 * std::acos(0.0) * i / sides;
+    for (const double y : {-half_width, half_width})
+      solid.corners.emplace_back(radius * std::sin(angle), y, -radius * std::cos(angle));
+  }
+  solid.inertia = radius * radius * Eigen::Vector3d(0.3, 0.5, 0.3);
+  return solid;
+}
+
+// From above one corner to above the next the spin gains by the fall, is multiplied at the impact, and loses the same.
+TEST(Integrate, WheelOverFiveCorners_HasTheSpinOfTheRimlessWheel) {
+  constexpr int kSides = 16;
+  constexpr double kRadius = 0.3, kSpeed = 1, kPace = 1e-3;  // m, m/s, s
+  const Solid solid = PrismOf(kSides, kRadius, 0.1);
+  const double half_angle = 2 * std::acos(0.0) / kSides, side = 2 * kRadius * std::sin(half_angle);
+  const double about_corner = 1.5 * kRadius * kRadius;
+  const double kept = (0.5 + std::cos(2 * half_angle)) / 1.5;
+  const double fall = 2 * kGravity * kRadius * (1 - std::cos(half_angle)) / about_corner;
+  double squared = kSpeed * kSpeed / (kRadius * kRadius);
+  SolidMotion motion = RollOnLowestCorner(solid, Eigen::Quaterniond::Identity(), Eigen::Vector3d::UnitX(), kSpeed);
+  for (int corner = 1; corner <= 5; ++corner) {
+    squared = kept * kept * (squared + fall) - fall;
+    while (motion.position.x() < corner * side) motion = Integrate(solid, motion, {0, 0, -kGravity}, 1, kPace, 1e-4);
+    EXPECT_NEAR(motion.spin.y(), std::sqrt(squared), 2e-3 * std::sqrt(squared)) << corner;
+  }
+}
+
+TEST(Integrate, CubeThatSlides_StopsByCoulombsLaw) {
+  constexpr double kHalf = 0.1, kSpeed = 1, kFriction = 0.3;  // m, m/s
+  const Solid solid = PrismOf(4, kHalf * std::sqrt(2.0), kHalf);
+  SolidMotion motion{{0, 0, kHalf},
+                     Eigen::Quaterniond(Eigen::AngleAxisd(std::acos(0.0) / 2, Eigen::Vector3d::UnitY()))};
+  motion.velocity = {kSpeed, 0, 0};
+  motion = Integrate(solid, motion, {0, 0, -kGravity}, kFriction, 1);
+  EXPECT_NEAR(motion.position.x(), kSpeed * kSpeed / (2 * kFriction * kGravity), 1e-3);
+  EXPECT_NEAR(motion.velocity.norm(), 0, 1e-6);
+  EXPECT_NEAR(motion.position.z(), kHalf, 1e-5);
 }
 
 constexpr double kShortStepRate = 8000;  // Hz
