@@ -7,6 +7,7 @@ namespace dgd_physics {
 
 Samples MeasureDropDead(const Conditions& conditions);
 Samples MeasureRest(const Conditions& conditions);
+Samples MeasurePoles(const Conditions& conditions);
 Samples MeasureWeight(const Conditions& conditions);
 Samples MeasureStack(const Conditions& conditions);
 Samples MeasureTunnel(const Conditions& conditions);
