@@ -7,6 +7,7 @@ namespace dgd_physics {
 
 Samples MeasureBoxSeams(const Conditions& conditions);
 Samples MeasureMeshSeams(const Conditions& conditions);
+Samples MeasureLargeBoxes(const Conditions& conditions);
 Samples MeasureLines(const Conditions& conditions);
 Samples MeasureTip(const Conditions& conditions);
 Samples MeasureRocking(const Conditions& conditions);

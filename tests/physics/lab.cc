@@ -209,6 +209,11 @@ double TiltOf(const btRigidBody& body) {
   return std::atan2(std::hypot(double(axis.x()), double(axis.y())), double(axis.z()));
 }
 
+double DisturbanceOf(const btRigidBody& body, const btVector3& velocity, const btVector3& spin, double half) {
+  return std::hypot(double((body.getLinearVelocity() - velocity).length()),
+                    half * double((body.getAngularVelocity() - spin).length()));
+}
+
 std::string Text(double number) {
   std::array<char, 32> text;
   std::snprintf(text.data(), text.size(), "%.4g", number);

@@ -130,6 +130,8 @@ inline double HeightOf(const btRigidBody& body) { return double(body.getWorldTra
 double KineticEnergyOf(const btRigidBody& body);
 /// Angle of the body's own z axis from the world's, radians.
 double TiltOf(const btRigidBody& body);
+/// How much a free flight was disturbed: change of the velocity, and of the spin at a distance `half`, m/s.
+double DisturbanceOf(const btRigidBody& body, const btVector3& velocity, const btVector3& spin, double half);
 /// Component along a horizontal heading.
 inline double Along(const btVector3& vector, double heading) { return double(vector.dot(Direction(heading))); }
 

@@ -45,12 +45,6 @@ Sample MeasureNearRod(const Conditions& conditions, const NearRod& it) {
                           double(body.getAngularVelocity().z()) / it.spin, 1);
 }
 
-/// How much a free flight was disturbed: change of the velocity, and of the spin at the rim.
-double DisturbanceOf(const btRigidBody& body, const btVector3& velocity, const btVector3& spin, double half) {
-  return std::hypot(double((body.getLinearVelocity() - velocity).length()),
-                    half * double((body.getAngularVelocity() - spin).length()));
-}
-
 struct Graze {
   Form form;
   double half;       // m

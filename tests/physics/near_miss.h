@@ -9,5 +9,6 @@ Samples MeasureNearRod(const Conditions& conditions);
 Samples MeasureGraze(const Conditions& conditions);
 Samples MeasureTumble(const Conditions& conditions);
 Samples MeasurePastEdge(const Conditions& conditions);
+Samples MeasureOverRidge(const Conditions& conditions);
 
 }  // namespace dgd_physics
