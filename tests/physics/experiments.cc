@@ -7,6 +7,7 @@
 #include "physics/resting.h"
 #include "physics/restitution.h"
 #include "physics/rolling_hulls.h"
+#include "physics/spin_rebound.h"
 #include "physics/spinning.h"
 
 namespace dgd_physics {
@@ -24,6 +25,10 @@ const std::vector<Experiment>& Experiments() {
        MeasureCradle, kRestitution},
       {"bat", "a bat that the app moves hits a body at rest: speed it leaves at, against (1 + e) times the bat's",
        MeasureBat, kRestitution},
+      {"spin_rebound", "balls with a slip at walls with friction and restitution: velocity and spin, over the speed",
+       MeasureSpinRebound, kRestitution},
+      {"angular_momentum", "two bodies that meet with friction and restitution: angular momentum, over m v r",
+       MeasureAngularMomentum},
       {"slide", "a body set off once: way, against v^2 / (2 mu g)", MeasureSlide},
       {"swing_force", "a box under a swinging force of 1.5 mu m g: farthest and last way, against the integrated one",
        MeasureSwingForce},
@@ -69,7 +74,7 @@ const std::vector<Experiment>& Experiments() {
       {"rest", "bodies that have come to rest: speed, over 5 cm/s", MeasureRest},
       {"poles", "poles that stand where they were put: speed in the fourth second, over 5 cm/s", MeasurePoles},
       {"weight", "loads on two or four supports: forces, against statics", MeasureWeight},
-      {"stack", "two to five boxes on each other for 5 s: way of the topmost, over the height", MeasureStack},
+      {"stack", "two to nine boxes on each other for 5 s: way of the topmost, over the height", MeasureStack},
       {"tunnel", "fast bodies at thin plates, and plates at bodies, without Bullet's CCD: share that goes through",
        MeasureTunnel},
   };
