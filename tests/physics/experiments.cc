@@ -7,6 +7,7 @@
 #include "physics/resting.h"
 #include "physics/restitution.h"
 #include "physics/rolling_hulls.h"
+#include "physics/solver_settings.h"
 #include "physics/spin_rebound.h"
 #include "physics/spinning.h"
 
@@ -29,6 +30,8 @@ const std::vector<Experiment>& Experiments() {
        MeasureSpinRebound, kRestitution},
       {"angular_momentum", "two bodies that meet with friction and restitution: angular momentum, over m v r",
        MeasureAngularMomentum},
+      {"rebound_settings", "dropped balls under settings and solvers that apps choose: height of the third rebound",
+       MeasureReboundSettings, kRestitution},
       {"slide", "a body set off once: way, against v^2 / (2 mu g)", MeasureSlide},
       {"swing_force", "a box under a swinging force of 1.5 mu m g: farthest and last way, against the integrated one",
        MeasureSwingForce},
@@ -72,6 +75,8 @@ const std::vector<Experiment>& Experiments() {
       {"drop_dead", "dropped bodies without restitution: height of the rebound, over that of the drop",
        MeasureDropDead},
       {"rest", "bodies that have come to rest: speed, over 5 cm/s", MeasureRest},
+      {"rest_settings", "dropped bodies under such settings: speed at rest, over 5 cm/s, and height, over the drop's",
+       MeasureRestSettings},
       {"poles", "poles that stand where they were put: speed in the fourth second, over 5 cm/s", MeasurePoles},
       {"weight", "loads on two or four supports: forces, against statics", MeasureWeight},
       {"stack", "two to nine boxes on each other for 5 s: way of the topmost, over the height", MeasureStack},

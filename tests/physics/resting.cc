@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "physics/lab.h"
+#include "physics/multibody_world.h"
 
 namespace dgd_physics {
 namespace {
@@ -187,6 +188,25 @@ Samples MeasureStack(const Conditions& conditions, int count, double half, doubl
           Sample{name + ": aside", std::hypot(double(moved.x()), double(moved.y())), 0, 1, group}};
 }
 
+/// The same for equal boxes, as multibodies, on a box.
+Samples MeasureMultibodyStack(const Conditions& conditions, int count, double half, int index) {
+  constexpr double kDuration = 5;  // s
+  constexpr Surface kSurface = {.friction = 0.5, .restitution = 0};
+  Lab lab(conditions);  // Owns the shapes.
+  MultibodyWorld world(conditions);
+  world.AddStatic(lab.Make<btBoxShape>(Vec(5, 5, 0.5)), At(Vec(0, 0, -0.5)), kSurface);
+  auto& shape = lab.Make<btBoxShape>(Vec(half, half, half));
+  const btMultiBody* top = nullptr;
+  for (int i = 0; i < count; ++i)
+    top = &world.AddBase(shape, 1, At(Vec(0.23, 0.31, (2 * i + 1) * half), Yaw(HeadingOf(index))), kSurface);
+  const btVector3 start = top->getBasePos();
+  for (int step = lab.StepsIn(kDuration); step > 0; --step) world.Step();
+  const btVector3 moved = (top->getBasePos() - start) / btScalar(2 * count * half);
+  const std::string name = Text(count) + " multibodies of " + Text(half) + " m";
+  return {Sample{name + ": lower", -double(moved.z()), 0, 1, "multibodies"},
+          Sample{name + ": aside", std::hypot(double(moved.x()), double(moved.y())), 0, 1, "multibodies"}};
+}
+
 struct Shot {
   Form form;
   Ground plate;            // A box of the thickness, or a mesh.
@@ -325,6 +345,18 @@ Samples MeasureStack(const Conditions& conditions) {
   for (const int i : SelectIndices(conditions, 6, 3)) {
     const std::size_t j = static_cast<std::size_t>(i);
     AddTo(samples, MeasureStack(conditions, 2 + i % 2, kSmallHalves[j % 3], 1, kGrounds[j % 2], i, "small"));
+  }
+  for (const int i : SelectIndices(conditions, 6, 5)) {
+    const std::size_t j = static_cast<std::size_t>(i);
+    AddTo(samples, MeasureMultibodyStack(conditions, 3 + i % 3 * 3, kSmallHalves[j / 2 % 3], i));
+  }
+  // The uppermost weighs 10 to 200 times the lowest.
+  constexpr std::array<double, 4> kHeavyRatios = {200, 10, 50, 100};
+  for (const int i : SelectIndices(conditions, 8, 4)) {
+    const std::size_t j = static_cast<std::size_t>(i);
+    const int count = 2 + i % 2;
+    AddTo(samples, MeasureStack(conditions, count, kHalves[j % 3], std::pow(kHeavyRatios[j / 2], 1.0 / (count - 1)),
+                                kGrounds[j % 2], i, "heavy on light"));
   }
   return samples;
 }
