@@ -9,6 +9,7 @@ Samples MeasureSlide(const Conditions& conditions);
 Samples MeasureSwingForce(const Conditions& conditions);
 Samples MeasureTaps(const Conditions& conditions);
 Samples MeasureIncline(const Conditions& conditions);
+Samples MeasureTiles(const Conditions& conditions);
 Samples MeasureTorsion(const Conditions& conditions);
 
 }  // namespace dgd_physics

@@ -9,6 +9,7 @@ Samples MeasureDropDead(const Conditions& conditions);
 Samples MeasureRest(const Conditions& conditions);
 Samples MeasurePoles(const Conditions& conditions);
 Samples MeasureWeight(const Conditions& conditions);
+Samples MeasureSoftContacts(const Conditions& conditions);
 Samples MeasureStack(const Conditions& conditions);
 Samples MeasureTunnel(const Conditions& conditions);
 
