@@ -4,9 +4,9 @@ namespace dgd_apps {
 
 const std::vector<App>& Apps() {
   static const std::vector<App> apps = {
-      Events(),  Sensors(),      Ricochet(), Materials(),  Rolling(),  Sliding(), Ledge(),
-      Tips(),    MultiSpheres(), Mug(),      SlopeForce(), Sleeping(), FarOut(),  Tray(),
-      Gripper(), Pusher(),       Conveyor(), Chain(),      Fracture(), Drawing(),
+      Events(),  Sensors(),      Ricochet(), Materials(),  Rolling(),  Sliding(),  Ledge(),
+      Tips(),    MultiSpheres(), Mug(),      SlopeForce(), Sleeping(), FarOut(),   Tray(),
+      Gripper(), Jaws(),         Pusher(),   Conveyor(),   Chain(),    Fracture(), Drawing(),
   };
   return apps;
 }

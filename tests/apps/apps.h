@@ -18,6 +18,7 @@ App Events();
 App FarOut();
 App Fracture();
 App Gripper();
+App Jaws();
 App Ledge();
 App Materials();
 App Mug();

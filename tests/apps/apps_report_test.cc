@@ -45,7 +45,7 @@ TEST(AppsReport, Csv_HasALinePerCaseAndFigure) {
   std::stringstream text;
   text << std::ifstream(file).rdbuf();
   EXPECT_EQ(text.str().rfind("precision,app,rate_hz,", 0), 0U) << text.str();
-  EXPECT_EQ(Count(text.str(), "\n" DGD_TEST_PRECISION ",sensors,60,"), 64 * 4) << text.str();
+  EXPECT_EQ(Count(text.str(), "\n" DGD_TEST_PRECISION ",sensors,60,"), 128 * 4) << text.str();
 }
 
 }  // namespace
