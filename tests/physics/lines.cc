@@ -80,11 +80,11 @@ struct Line {
 std::vector<Line> LineCases() {
   constexpr std::array kBars = {Bar::kBox,     Bar::kMeshWall, Bar::kBoxEdge,  Bar::kFloor,
                                 Bar::kCapsule, Bar::kMeshRoof, Bar::kHullEdge, Bar::kCylinder};
-  constexpr std::array<double, 6> kHalves = {0.0025, 0.01, 0.005, 0.05, 0.008, 0.02};  // m
+  constexpr std::array<double, 5> kHalves = {0.0025, 0.01, 0.05, 0.005, 0.02};  // m
   std::vector<Line> cases;
   for (int i = 0; i < 48; ++i) {
     const std::size_t j = static_cast<std::size_t>(i);
-    cases.push_back({kBars[j % 8], j / 8 % 2 == 1, kHalves[(j + j / 8) % 6], j / 16 == 1 ? 0.1 : 0, i});
+    cases.push_back({kBars[j % 8], j / 8 % 2 == 1, kHalves[(j + j / 8) % 5], j / 16 == 1 ? 0.1 : 0, i});
   }
   return cases;
 }
