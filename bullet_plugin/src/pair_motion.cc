@@ -4,6 +4,8 @@
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include <limits>
+
 #include "body_velocity.h"
 #include "dgd/assert.h"
 
@@ -48,14 +50,21 @@ dgd::Motion<double> PairMotion::Twist::MotionOf(const Pose& pose, double time) c
   return {pose, time * PredictedLinear(), time * angular, pose.rotation.transpose() * (center - pose.translation)};
 }
 
-bool PairMotion::Twist::TurnsOver(const Vector3& from, const Vector3& to, const Vector3& axis) const {
+double PairMotion::Twist::GyrationSq(const Vector3& axis) const {
   const btRigidBody* rigid = body == nullptr ? nullptr : btRigidBody::upcast(body);
-  // A link's neighbours take part in its impact: it counts as one that turns over.
-  if (rigid == nullptr || !(rigid->getInvMass() > 0)) return true;
+  if (rigid == nullptr || !(rigid->getInvMass() > 0)) return std::numeric_limits<double>::infinity();
   const btVector3 about = ToBullet(axis);
-  const double inverse_inertia = double(about.dot(rigid->getInvInertiaTensorWorld() * about));
-  // Both sides of the condition times the inverse inertia, which k^2 is the inverse mass over.
-  return axis.squaredNorm() * double(rigid->getInvMass()) + inverse_inertia * (from - center).dot(to - center) > 0;
+  return axis.squaredNorm() * double(rigid->getInvMass() / about.dot(rigid->getInvInertiaTensorWorld() * about));
+}
+
+bool PairMotion::Twist::TurnsOver(const Vector3& from, const Vector3& to, const Vector3& axis) const {
+  const double along = axis.dot(from - center);
+  return GyrationSq(axis) + (from - center).dot(to - center) > along * along / axis.squaredNorm();
+}
+
+double PairMotion::Twist::TippingSpeed(const Vector3& from, const Vector3& axis) const {
+  const Vector3 arm = center - from;
+  return axis.dot(arm.cross(gain)) / (GyrationSq(axis) + arm.cross(axis).squaredNorm() / axis.squaredNorm());
 }
 
 PairMotion::PairMotion(const BoundedBody& body_a, const BoundedBody& body_b, double time_step)

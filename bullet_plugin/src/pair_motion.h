@@ -104,13 +104,16 @@ class PairMotion {
 
   /// Whether bodies that turn about one contact go on turning about another one where they land next, and leave the
   /// first: a wheel does, a rod that comes to lie does not. By Housner's impact, in which a body sticks where it lands
-  /// and keeps its angular momentum about that place: k^2 + <from - c, to - c> > 0, with the centre of mass c and the
-  /// radius of gyration k (G. Housner, The behavior of inverted pendulum structures during earthquakes, 1963).
+  /// and keeps its angular momentum about that place: k^2 + <from - c, to - c> > 0 across the axis, with the centre of
+  /// mass c and the radius of gyration k (G. Housner, The behavior of inverted pendulum structures during earthquakes,
+  /// 1963). What lands no faster than its weight makes it in one step does not either: it would rock to and fro faster
+  /// than steps can follow, which is to stand.
   /// @param from, to  Places of the contacts, world, metres.
   /// @param normal    Of both, unit, world.
   bool TurnOver(const Vector3& from, const Vector3& to, const Vector3& normal) const {
     const Vector3 axis = (to - from).cross(normal);
-    return a_.TurnsOver(from, to, axis) && b_.TurnsOver(from, to, axis);
+    return a_.TurnsOver(from, to, axis) && b_.TurnsOver(from, to, axis) &&
+           ApproachSpeed(to, to, normal) > a_.TippingSpeed(from, axis) - b_.TippingSpeed(from, axis);
   }
 
   /// The motion of a pose that is fixed to a body over the time step.
@@ -127,8 +130,13 @@ class PairMotion {
     /// No point goes faster along `normal` by rotation alone, on average over any time: turned by an angle about an
     /// axis, a unit vector's end goes that angle at most times its distance from the axis.
     double RimSpeed(const Vector3& normal) const { return angular.cross(normal).norm() * radius; }
-    /// @param axis  The axis that the body turns about, of any length.
+    /// The square of the radius of gyration about an axis through the centre of mass, of any length; square metres,
+    /// infinite for what contacts do not turn. Links count as that: their neighbours take part in an impact.
+    double GyrationSq(const Vector3& axis) const;
     bool TurnsOver(const Vector3& from, const Vector3& to, const Vector3& axis) const;
+    /// The speed along the normal that the forces on the body give the place `to` within the step as it turns about
+    /// `from`; metres per second.
+    double TippingSpeed(const Vector3& from, const Vector3& axis) const;
 
     Vector3 linear = Vector3::Zero();         // Velocity of the centre of mass, metres per second.
     Vector3 angular = Vector3::Zero();        // Angular velocity, radians per second.

@@ -80,8 +80,8 @@ struct Options {
 
   /// The contact point that carried most in the last step comes first in its manifold, the others around the patch, as
   /// Bullet's solver leaves least undone (src/manifold/point_order.h). Off: a patch's own order.
-  /// Physics: points and distances stay the same. Stacks of small boxes and high towers rock and sway less; links of
-  /// multibodies keep their order.
+  /// Physics: points and distances stay the same. Stacks of small boxes and high towers rock and sway less. Links
+  /// of multibodies and contacts on what cannot move keep their order.
   bool order_points_by_impulse = true;
 
   /// Bodies that have not moved by more than a thousandth of the breaking threshold (20 micrometres for large ones)
