@@ -130,6 +130,25 @@ TEST(ContactPatch, SphereInBoxEdge_PointOnTheLineThroughItsCentre) {
   }
 }
 
+// A wall's open edge faces what lies on it, however the wall's own faces are turned away: its ends, or the box's.
+TEST(ContactPatch, BoxOnTheEdgeOfATriangle_EndsOfTheCommonLine) {
+  const dgd::RoundedSet box{dgd::Box<double>({1, 0.1, 0.02})};
+  const dgd::RoundedSet wall{dgd::Triangle<double>({0, -1, 0}, {0, 0.5, -1}, {0, 1, 0}), 0.001};
+  for (const bool wall_first : {true, false}) {
+    const dgd::Pose<double> above = At({0, 0.2, 0.021});
+    const dgd::ContactPatch<double> patch =
+        wall_first ? PatchOf(wall, At({0, 0, 0}), box, above) : PatchOf(box, above, wall, At({0, 0, 0}));
+    ASSERT_EQ(patch.size, 2);
+    EXPECT_NEAR(patch.points[0].on_1.y() + patch.points[1].on_1.y(), 0.4, kTolerance);
+    for (int i = 0; i < patch.size; ++i) {
+      const dgd::ContactPoint<double>& point = patch.points[static_cast<std::size_t>(i)];
+      EXPECT_NEAR(std::abs(point.on_1.y() - 0.2), 0.1, kTolerance);
+      EXPECT_NEAR(point.on_1.x(), 0, kTolerance);
+      EXPECT_NEAR(point.separation, 0, kTolerance);
+    }
+  }
+}
+
 // A box that stands on its edge over another: the far corners belong to the patch only if somebody says they come.
 TEST(ContactPatch, TiltedBox_FarCornersOnlyIfTheyApproach) {
   const dgd::RoundedSet ground{dgd::Box<double>({2, 2, 1})};

@@ -237,18 +237,25 @@ struct FacingFaces {
   }
 
   /// Finds the overlap of the two faces, once both are there. Not inlined: it is long, and the same for all sets.
-  /// @param angular_tolerance  Faces turned away from the normal by more than this count as edges, radians, in
-  ///                           (0, pi / 2): seen from aside, their heights lose their digits.
+  /// @param angular_tolerance  Faces turned away from the normal by more than this count as their nearest edge; radians
+  ///                           in (0, pi / 2). Seen from aside, their heights lose their digits.
   DGD_FLATTEN DGD_NOINLINE void FindOverlap(S angular_tolerance) {
     DGD_ASSERT(angular_tolerance > 0 && overlap.size == 0);
     using namespace facing_faces_internal;
     const S min_cosine = std::cos(angular_tolerance);
     const ProjectedFace<S> projected_1(face_1, min_cosine), projected_2(face_2, min_cosine);
+    const auto keep_highest_edge = [](S up, SupportingFace<S>& face) {
+      std::partial_sort(face.points.begin(), face.points.begin() + 2, face.points.begin() + face.size,
+                        [up](const auto& a, const auto& b) { return up * a.z() > up * b.z(); });
+      face.size = 2;
+    };
+    if (!projected_1.IsPolygon() && face_1.size > 2) keep_highest_edge(S(1), face_1);
+    if (!projected_2.IsPolygon() && face_2.size > 2) keep_highest_edge(S(-1), face_2);
     is_across_1 = projected_1.IsAcross();
     is_across_2 = projected_2.IsAcross();
-    if (projected_1.IsPolygon() && (projected_2.IsPolygon() || face_2.size <= 2)) {
+    if (projected_1.IsPolygon()) {
       ClipByPolygon(projected_2, false, projected_1, overlap);
-    } else if (projected_2.IsPolygon() && face_1.size <= 2) {
+    } else if (projected_2.IsPolygon()) {
       ClipByPolygon(projected_1, true, projected_2, overlap);
     } else if (projected_1.IsSegment() && projected_2.IsSegment()) {
       OverlapSegments(face_1, face_2, overlap);
