@@ -1,4 +1,5 @@
-// What a contact ahead of touching must not do: stop a body that flies past an edge, or brake a hull that rolls.
+// What a contact ahead of touching must not do: stop a body that flies past an edge, brake a hull that rolls, or turn a
+// body that lands flat.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -114,6 +115,42 @@ TEST(RollingHull, Wheel_LosesWhatItsCornersImpactsTake) {
 TEST(RollingHull, SmallWheel_RollsOn) {
   EXPECT_GT(SpeedLeft(Route::kConfiguration, 60, 0.09), 0.45);
   EXPECT_NEAR(SpeedLeft(Route::kConfiguration, 240, 0.09), 0.781, 0.06);
+}
+
+/// A static ridge along y whose top is z = 0: a capsule, or the open edge of a wall that has no thickness.
+void AddRidge(TestWorld& world, bool is_wall) {
+  if (!is_wall) {
+    world.Add(world.Make<btCapsuleShape>(btScalar(0.01), btScalar(2)), 0, At(0, 0, -0.01)).setRestitution(1);
+    return;
+  }
+  auto& triangles = world.Make<btTriangleMesh>();
+  triangles.addTriangle(Vec(0, -1, 0), Vec(0, -1, -1), Vec(0, 1, -1));
+  triangles.addTriangle(Vec(0, -1, 0), Vec(0, 1, -1), Vec(0, 1, 0));
+  world.Add(world.Make<btBvhTriangleMeshShape>(&triangles, true), 0, At(0, 0, 0)).setRestitution(1);
+}
+
+// Whatever the length of the line that it lands on: that of a plank of 2 cm is as long as the breaking threshold.
+TEST(LandsOnALine, Plank_DoesNotRoll) {
+  for (const bool is_wall : {false, true}) {
+    for (const double half_width : {0.01, 0.1, 0.3}) {
+      for (const double beside_middle : {0.0, 0.2}) {
+        for (const double rate : {60.0, 240.0}) {
+          TestWorld world(Route::kConfiguration);
+          world.world().setGravity(Vec(0, 0, 0));
+          AddRidge(world, is_wall);
+          btRigidBody& plank =
+              world.Add(world.Make<btBoxShape>(Vec(1, half_width, 0.02)), 1, At(0, beside_middle, 0.303));
+          plank.setRestitution(btScalar(0.5));
+          plank.setLinearVelocity(Vec(0, 0, -2));
+          Simulate(world, rate, 0.2);
+          SCOPED_TRACE(std::string(is_wall ? "wall" : "capsule") + ", " + std::to_string(half_width) + " m wide, at " +
+                       std::to_string(beside_middle) + " m, " + std::to_string(rate) + " Hz");
+          EXPECT_NEAR(double(plank.getLinearVelocity().z()), 1, 0.02);
+          EXPECT_NEAR(double(plank.getAngularVelocity().x()) * half_width, 0, 0.02);
+        }
+      }
+    }
+  }
 }
 
 }  // namespace
