@@ -3,6 +3,7 @@
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+#include <BulletCollision/CollisionShapes/btCollisionShape.h>
 
 #include <algorithm>
 #include <limits>
@@ -24,12 +25,15 @@ PairMotion MotionOfStep(const PairManifold& manifold, const BoundedBody& body_a,
 }
 
 ContactRange RangeOfContacts(const Options& options, const PairManifold& manifold, const PairMotion& motion,
-                             const btManifoldResult& output) {
+                             const btDispatcherInfo& info, const btManifoldResult& output) {
   const double breaking_threshold = manifold.BreakingThreshold();
   // Nothing keeps a sensor apart from others: it overlaps them first, in a step or without. A query gets what is near.
   const bool has_response =
       output.getBody0Internal()->hasContactResponse() && output.getBody1Internal()->hasContactResponse();
-  if (!has_response && !IsUserQuery(output)) {
+  const int type = output.getBody0Wrap()->getCollisionShape()->getShapeType();
+  const bool needs_overlap = type == output.getBody1Wrap()->getCollisionShape()->getShapeType() &&
+                             (type == BOX_SHAPE_PROXYTYPE || type == SPHERE_SHAPE_PROXYTYPE);
+  if ((!has_response || (needs_overlap && !(info.m_timeStep > 0))) && !IsUserQuery(output)) {
     const auto distance = double(output.m_closestPointDistanceThreshold);
     return {distance, distance};
   }

@@ -30,7 +30,8 @@ inline double ContactDistance(const Options& options, double breaking_threshold,
 /// bodies are in contact within Bullet's own breaking threshold. Where bodies approach each other, though, only if they
 /// really meet, since a contact would act on bodies that pass each other; and bodies that rebound only where they touch
 /// or will within the step, since a gap over the time step would be taken from the speed at which they part.
-/// Bodies without a contact response meet no solver, and are in contact when they overlap.
+/// Bodies without a contact response meet no solver, and are in contact when they overlap. So are two boxes or spheres
+/// where no world steps, as with Bullet's own algorithms: apps take any contact for a collision.
 struct ContactRange {
   /// Separation up to which bodies are in contact however they move; metres, negative for an overlap.
   double touching = 0;
@@ -48,7 +49,7 @@ PairMotion MotionOfStep(const PairManifold& manifold, const BoundedBody& body_a,
                         const btDispatcherInfo& info);
 
 ContactRange RangeOfContacts(const Options& options, const PairManifold& manifold, const PairMotion& motion,
-                             const btManifoldResult& output);
+                             const btDispatcherInfo& info, const btManifoldResult& output);
 
 /// Distance beyond which bodies have no contacts in this step, so that no query needs to go on; metres.
 inline double SeparationLimit(const ContactRange& range, const PairMotion& motion) {

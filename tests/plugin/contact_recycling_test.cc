@@ -353,6 +353,7 @@ TEST(RestingPairOption, SlidingTiltedOverAnEdge_DistancesAreNearlyThoseFoundAnew
   for (int i = 0; i < 2; ++i) {
     worlds[i]->Add(worlds[i]->Make<btBoxShape>(Vec(0.2, 0.5, 0.5)), 0, Vec(0, 0, -0.5));
     body[i] = &worlds[i]->Add(worlds[i]->Make<btBoxShape>(Vec(0.2, 0.2, 0.2)), 1, Vec(0, 0, 1));
+    worlds[i]->world().getDispatchInfo().m_timeStep = btScalar(TestWorld::kTimeStep);
   }
   const auto farthest = [](TestWorld& asked) {
     double distance = -std::numeric_limits<double>::infinity();

@@ -64,14 +64,16 @@ PosedConvex PairQuery::B() const {
   return {static_cast<const btConvexShape&>(*body_b_.getCollisionShape()), body_b_.getWorldTransform()};
 }
 
-std::vector<Contact> PairQuery::Step(btPersistentManifold* shared) {
+std::vector<Contact> PairQuery::Step(btPersistentManifold* shared, double time_step) {
   const btCollisionObjectWrapper a(nullptr, body_a_.getCollisionShape(), &body_a_, body_a_.getWorldTransform(), -1, -1);
   const btCollisionObjectWrapper b(nullptr, body_b_.getCollisionShape(), &body_b_, body_b_.getWorldTransform(), -1, -1);
   if (algorithm_ == nullptr) algorithm_ = dispatcher_.findAlgorithm(&a, &b, shared, BT_CONTACT_POINT_ALGORITHMS);
   std::vector<Contact> contacts;
   recorded = &contacts;
   btManifoldResult result(&a, &b);
-  algorithm_->processCollision(&a, &b, btDispatcherInfo(), &result);
+  btDispatcherInfo info;
+  info.m_timeStep = btScalar(time_step);
+  algorithm_->processCollision(&a, &b, info, &result);
   recorded = nullptr;
   return contacts;
 }

@@ -45,7 +45,8 @@ class PairQuery {
   /// One step of the pair, in the contact table; makes the algorithm if there is none. The contacts that go into the
   /// manifold.
   /// @param shared  Manifold to hand to a new algorithm, as a mesh does; null for the algorithm's own.
-  std::vector<Contact> Step(btPersistentManifold* shared = nullptr);
+  /// @param time_step  Seconds; 0 as in a world without steps.
+  std::vector<Contact> Step(btPersistentManifold* shared = nullptr, double time_step = 1.0 / 60);
 
   /// As contactPairTest() does it: a fresh algorithm, of the contact table, or of the closest-points table and all
   /// points up to `threshold` apart.

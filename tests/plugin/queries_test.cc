@@ -214,7 +214,7 @@ TEST_P(ContactQueries, SensorWithoutAStep_IsInContactWhenItOverlaps) {
     const double touching = 1 + double(shape.shape->localGetSupportingVertex(Vec(0, 0, 1)).z());
     for (const double gap : {0.01, -0.01}) {
       pair.SetPoses(At(0, 0, 0), At(0, 0, touching + gap));
-      EXPECT_EQ(pair.Step().empty(), gap > 0) << gap;
+      EXPECT_EQ(pair.Step(nullptr, 0).empty(), gap > 0) << gap;
     }
     // An app that asks the pair by hand gets what it asks for.
     pair.SetPoses(At(0, 0, 0), At(0, 0, touching + 0.01));
@@ -225,6 +225,24 @@ TEST_P(ContactQueries, SensorWithoutAStep_IsInContactWhenItOverlaps) {
     near.m_closestPointDistanceThreshold = btScalar(0.02);
     pair.algorithm()->processCollision(&a, &b, btDispatcherInfo(), &near);
     EXPECT_GT(pair.manifold()->getNumContacts(), 0);
+  }
+}
+
+// Apps take any contact for a collision: boxes and spheres have none before they touch.
+TEST_P(ContactQueries, BodiesWithoutAStep_AreInContactWhereTheyAreWithBulletsOwn) {
+  Dispatching builtin(Route::kBuiltin);
+  btBoxShape slab(Vec(9, 9, 1));
+  btSphereShape ball(btScalar(1));
+  for (const ZooShape& shape : MakeShapeZoo(1)) {
+    for (btConvexShape* other : {static_cast<btConvexShape*>(&slab), static_cast<btConvexShape*>(&ball)}) {
+      SCOPED_TRACE(shape.name + " on " + other->getName());
+      PairQuery ours(world_.dispatcher(), *shape.shape, *other), theirs(builtin.dispatcher(), *shape.shape, *other);
+      const double touching = 1 + double(shape.shape->localGetSupportingVertex(Vec(0, 0, 1)).z());
+      for (const double gap : {0.01, -0.01}) {
+        for (PairQuery* pair : {&ours, &theirs}) pair->SetPoses(At(0, 0, 0), At(0, 0, touching + gap));
+        EXPECT_EQ(ours.Step(nullptr, 0).empty(), theirs.Step(nullptr, 0).empty()) << gap;
+      }
+    }
   }
 }
 

@@ -274,7 +274,7 @@ bool ConvexMeshAlgorithm::FindContacts(const btCollisionObjectWrapper& convex, c
   const PairMotion motion =
       uses_motion ? PairMotion(BoundedBody(body), BoundedBody(ground), double(info.m_timeStep)) : PairMotion();
   const PairMotion reverse = motion.Reversed();
-  const ContactRange range = RangeOfContacts(options, shared, motion, output);
+  const ContactRange range = RangeOfContacts(options, shared, motion, info, output);
   const TriangleQuery query{.motion = motion,
                             .reverse_motion = reverse,
                             .limits = {range, PatchSettingsOf(options, shared, range, is_user_query), is_user_query},

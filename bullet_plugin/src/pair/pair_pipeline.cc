@@ -52,7 +52,7 @@ PairOutcome SolveContacts(PairState& pair, PairCache& cache, const PairCall& cal
     contacts.motion = MotionOfStep(pair.manifold, bounded_a, bounded_b, call.info);
   }
   const PairOutcome outcome = CatchFailures([&] {
-    const ContactRange range = RangeOfContacts(options, pair.manifold, contacts.motion, call.output);
+    const ContactRange range = RangeOfContacts(options, pair.manifold, contacts.motion, call.info, call.output);
     const QueryLimits limits{range, PatchSettingsOf(options, pair.manifold, range, is_user_query), is_user_query};
     PairQuery query(pair.narrowphase, solved, is_swapped, limits, pair.manifold.BreakingThreshold(), contacts.motion,
                     cache);

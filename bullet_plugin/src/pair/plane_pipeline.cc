@@ -100,7 +100,7 @@ PairOutcome FindContacts(PairState& pair, std::shared_ptr<const CachedHull>& hul
   const btCollisionObject& ground = *call.bodies.second.getCollisionObject();
   const Border border = BorderOf(call.bodies.second);
   if (pair.is_for_step) contacts.motion = MotionOfStep(manifold, BoundedBody(body), BoundedBody(ground), call.info);
-  const ContactRange range = RangeOfContacts(pair.options(), manifold, contacts.motion, call.output);
+  const ContactRange range = RangeOfContacts(pair.options(), manifold, contacts.motion, call.info, call.output);
   pair.had_contact = false;
   if (manifold.IsOwn() && manifold.IsEmpty() && !IsUserQuery(call.output) &&
       IsOutOfReach(HeightOfBox(body, border), border, range, contacts.motion)) {
