@@ -3,6 +3,9 @@
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
+#include <LinearMath/btTransformUtil.h>
+
+#include <cmath>
 
 #include <limits>
 
@@ -47,7 +50,13 @@ PairMotion::Twist PairMotion::Read(const BoundedBody& body, double time_step) {
 }
 
 dgd::Motion<double> PairMotion::Twist::MotionOf(const Pose& pose, double time) const {
-  return {pose, time * PredictedLinear(), time * angular, pose.rotation.transpose() * (center - pose.translation)};
+  Vector3 turn = time * angular;
+  const double angle = turn.norm(), most = double(ANGULAR_MOTION_THRESHOLD);
+  // btTransformUtil::integrateTransform() bounds the half angle whose sine it takes, but not the axis that it turns by.
+  if (angle > most && !is_link && !body->isKinematicObject()) {
+    turn *= 2 * std::atan(std::tan(most / 2) / most * angle) / angle;
+  }
+  return {pose, time * linear, turn, pose.rotation.transpose() * (center - pose.translation)};
 }
 
 double PairMotion::Twist::GyrationSq(const Vector3& axis) const {

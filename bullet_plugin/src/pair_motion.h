@@ -72,13 +72,6 @@ class PairMotion {
     return MayCloseBy(distance, normal, normal.dot(a_.linear - b_.linear));
   }
 
-  /// The motion at the present velocities.
-  PairMotion WithoutForces() const {
-    PairMotion coasting = *this;
-    for (Twist* twist : {&coasting.a_, &coasting.b_}) twist->gain = Vector3::Zero();
-    return coasting;
-  }
-
   /// This motion with the bodies in the other order.
   PairMotion Reversed() const {
     PairMotion reversed = *this;
@@ -116,7 +109,7 @@ class PairMotion {
            ApproachSpeed(to, to, normal) > a_.TippingSpeed(from, axis) - b_.TippingSpeed(from, axis);
   }
 
-  /// The motion of a pose that is fixed to a body over the time step.
+  /// The motion of a pose that is fixed to a body over the time step, by the body's present velocity.
   dgd::Motion<double> MotionOfA(const Pose& pose) const { return a_.MotionOf(pose, time_step_); }
   dgd::Motion<double> MotionOfB(const Pose& pose) const { return b_.MotionOf(pose, time_step_); }
 
@@ -124,7 +117,6 @@ class PairMotion {
   struct Twist {
     Vector3 VelocityAt(const Vector3& point) const { return linear + angular.cross(point - center); }
     Vector3 PredictedVelocityAt(const Vector3& point) const { return VelocityAt(point) + gain; }
-    Vector3 PredictedLinear() const { return linear + gain; }
     dgd::Motion<double> MotionOf(const Pose& pose, double time) const;
     double Speed() const { return linear.norm() + angular.norm() * radius; }
     /// No point goes faster along `normal` by rotation alone, on average over any time: turned by an angle about an
@@ -156,7 +148,7 @@ class PairMotion {
     return !(time_step_ * (along + a_.RimSpeed(normal) + b_.RimSpeed(normal)) < distance);
   }
 
-  Vector3 RelativeVelocity() const { return a_.PredictedLinear() - b_.PredictedLinear(); }
+  Vector3 RelativeVelocity() const { return (a_.linear + a_.gain) - (b_.linear + b_.gain); }
 
   Twist a_, b_;
   double time_step_ = 0;

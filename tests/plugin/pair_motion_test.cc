@@ -44,6 +44,29 @@ TEST_F(OfTwoBodies, KinematicBodyFlaggedAsNothingElse_Moves) {
   EXPECT_EQ(Way(), 2 * kTime);
 }
 
+/// The angle about z by which a body turns in a step.
+double TurnOf(const btRigidBody& body, const btRigidBody& other) {
+  const PairMotion motion{dgd_bullet::BoundedBody(body), dgd_bullet::BoundedBody(other), kTime};
+  return motion.MotionOfA({Eigen::Matrix3d::Identity(), Vector3::Zero()}).rotation.z();
+}
+
+// Bullet turns bodies by less than their velocity where that is more than 45 degrees a step.
+TEST_F(OfTwoBodies, FastSpinner_TurnsAsBulletTurnsIt) {
+  for (const double turn : {0.5, 1.0, 4.0, 20.0}) {
+    other_->setAngularVelocity(Vec(0, 0, turn / kTime));
+    btTransform end;
+    other_->predictIntegratedTransform(btScalar(kTime), end);
+    const double angle = std::atan2(double(end.getBasis()[1][0]), double(end.getBasis()[0][0]));
+    EXPECT_NEAR(TurnOf(*other_, *moving_), angle, 1e-5) << turn;
+  }
+}
+
+TEST_F(OfTwoBodies, KinematicSpinner_TurnsAsTheAppTurnsIt) {
+  moving_->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+  moving_->setAngularVelocity(Vec(0, 0, 3 / kTime));
+  EXPECT_NEAR(TurnOf(*moving_, *other_), 3, 1e-5);
+}
+
 /// Whether a box on edge goes on turning about its next edge, with its base along x.
 bool TurnsOver(double half_base, double half_height) {
   btBoxShape shape(Vec(half_base, 0.1, half_height));

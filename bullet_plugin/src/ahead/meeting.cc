@@ -14,17 +14,14 @@ void MovingPair::MoveTo(double time) {
 
 void MovingPair::MoveToStart(const Vector3& normal, double flush, dgd::ContactPatch<double>& patch) const {
   DGD_ASSERT(IsUnit(normal));
-  const auto way_of = [&](const dgd::Motion<double>& motion, const Vector3& at) -> Vector3 {
-    return time_ * (motion.translation + motion.rotation.cross(at - motion.CenterAt(time_)));
-  };
   int size = 0;
   for (int i = 0; i < patch.size; ++i) {
     dgd::ContactPoint<double> point = patch.points[static_cast<std::size_t>(i)];
-    const double approach = normal.dot(way_of(way_a_, point.on_1) - way_of(way_b_, point.on_2));
-    point.separation += approach;
-    if (approach < 0 && point.separation < -flush) continue;
     point.on_1 -= time_ * way_a_.translation;
     point.on_2 -= time_ * way_b_.translation;
+    const double approach = time_ * motion_.TimeStep() * motion_.ApproachSpeed(point.on_1, point.on_2, normal);
+    point.separation += approach;
+    if (approach < 0 && point.separation < -flush) continue;
     patch.points[static_cast<std::size_t>(size++)] = point;
   }
   patch.size = size;

@@ -40,8 +40,9 @@ class MovingPair {
   MovingPair(const PosedShape& shape_a, const PosedShape& shape_b, const PairMotion& motion)
       : a_(shape_a),
         b_(shape_b),
-        way_a_(motion.WithoutForces().MotionOfA(a_.pose)),
-        way_b_(motion.WithoutForces().MotionOfB(b_.pose)) {}
+        motion_(motion),
+        way_a_(motion_.MotionOfA(a_.pose)),
+        way_b_(motion_.MotionOfB(b_.pose)) {}
 
   /// Moves both shapes to where they are at a time from 0, the step's beginning, to 1, its end.
   void MoveTo(double time);
@@ -63,6 +64,7 @@ class MovingPair {
 
  private:
   PosedShape a_, b_;
+  const PairMotion motion_;
   const dgd::Motion<double> way_a_, way_b_;
   double time_ = 0;
 };
