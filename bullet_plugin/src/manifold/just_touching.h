@@ -20,11 +20,24 @@ inline namespace DGD_BULLET_PRECISION {
 /// The distance of contacts that just touch, metres: what Bullet's solver makes of this overlap is below roundoff.
 constexpr btScalar kJustTouching = btScalar(-1e-9);
 
-/// Whether an app, or its material, has set how a point gives way.
-inline bool HasOwnSoftness(const btManifoldPoint& point) {
-  constexpr int kSoftness =
-      BT_CONTACT_FLAG_HAS_CONTACT_CFM | BT_CONTACT_FLAG_HAS_CONTACT_ERP | BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING;
-  return (point.m_contactPointFlags & kSoftness) != 0;
+/// An error reduction that changes nothing, and that ForgetTouching() takes back.
+constexpr btScalar kNoPush = btScalar(-1e-30);
+
+/// Flags of what an app, its material or this file has set of how a point gives way.
+constexpr int kMaterialSoftness = BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING;
+constexpr int kPointSoftness = BT_CONTACT_FLAG_HAS_CONTACT_CFM | BT_CONTACT_FLAG_HAS_CONTACT_ERP;
+inline int SoftnessOf(const btManifoldPoint& point) {
+  return point.m_contactPointFlags & (kMaterialSoftness | kPointSoftness);
+}
+
+/// Has a soft point that touches within the step give way for the rest of it: its spring acts from there on, by half of
+/// what the bodies overlap at the end. Bullet's solver has it act all the step, by all of that.
+/// @param rest  Seconds.
+inline void SoftenImpact(btScalar rest, btManifoldPoint& point) {
+  const btScalar stiffness = rest / 2 * point.m_combinedContactStiffness1 + point.m_combinedContactDamping1;
+  point.m_contactCFM = 1 / btMax(stiffness, SIMD_EPSILON);
+  point.m_contactERP = kNoPush;
+  point.m_contactPointFlags |= kPointSoftness;
 }
 
 /// Shows points of a pair's own manifold as touching, after callbacks have set their material.
@@ -35,13 +48,15 @@ inline void ShowTouching(btPersistentManifold& manifold, bool was_loaded, const 
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     btManifoldPoint& point = manifold.getContactPoint(i);
     const btScalar gap = point.m_distance1;
-    if (!(gap > 0) || HasOwnSoftness(point)) continue;
+    const int softness = SoftnessOf(point);
+    if (!(gap > 0) || (softness & kPointSoftness) != 0) continue;
     const Vector3 normal = -FromBullet(point.m_normalWorldOnB);
     const double speed =
         motion.ApproachSpeed(FromBullet(point.m_positionWorldOnA), FromBullet(point.m_positionWorldOnB), normal) +
         motion.ApproachSpeedGain(normal);
-    const bool touches = (was_loaded && gap <= near) || double(gap) <= motion.TimeStep() * speed;
-    if (!touches) continue;
+    const bool is_closed = double(gap) <= motion.TimeStep() * speed;
+    if (softness != 0 && is_closed) SoftenImpact(btScalar(motion.TimeStep() - double(gap) / speed), point);
+    if (softness != 0 || !(is_closed || (was_loaded && gap <= near))) continue;
     DGD_ASSERT(std::isfinite(gap));
     point.m_contactERP = gap / kJustTouching;
     point.m_contactPointFlags |= BT_CONTACT_FLAG_HAS_CONTACT_ERP;
@@ -49,12 +64,12 @@ inline void ShowTouching(btPersistentManifold& manifold, bool was_loaded, const 
   }
 }
 
-/// Takes back the error reduction of points that were shown as touching, or are not pushed by their rebound: it is for
-/// one step. Comes before anything else in a step.
+/// Takes back what points have for one step, of which a negative error reduction tells: those that were shown as
+/// touching, soft ones that touched, and those that their rebound does not push. Comes before anything else in a step.
 inline void ForgetTouching(btPersistentManifold& manifold) {
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     btManifoldPoint& point = manifold.getContactPoint(i);
-    if (point.m_contactERP < 0) point.m_contactPointFlags &= ~BT_CONTACT_FLAG_HAS_CONTACT_ERP;
+    if (point.m_contactERP < 0) point.m_contactPointFlags &= ~kPointSoftness;
   }
 }
 

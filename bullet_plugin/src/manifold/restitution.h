@@ -36,9 +36,6 @@ inline namespace DGD_BULLET_PRECISION {
 /// default).
 constexpr double kSlowestRebound = 0.2;
 
-/// An error reduction that changes nothing, and that ForgetTouching() takes back.
-constexpr btScalar kNoPush = btScalar(-1e-30);
-
 /// The speed of parting after the impact, or nothing where the bodies do not rebound as far as they are apart now.
 /// @param restitution     Coefficient, > 0.
 /// @param approach, gain  u and w above, metres per second; u > 0.
@@ -78,7 +75,7 @@ inline void PrepareRebound(btManifoldPoint& point, const PairMotion& motion) {
   point.m_combinedRestitution = btScalar(*after / approach_in_solver);
   if (gap > 0) {
     point.m_distance1 = kJustTouching;
-  } else if (!HasOwnSoftness(point)) {
+  } else if (SoftnessOf(point) == 0) {
     // Overlap is taken back by speed that bodies keep: not of those that part in any case.
     point.m_contactERP = kNoPush;
     point.m_contactPointFlags |= BT_CONTACT_FLAG_HAS_CONTACT_ERP;
