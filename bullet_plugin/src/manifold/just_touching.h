@@ -17,8 +17,9 @@
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
-/// The distance of contacts that just touch, metres: what Bullet's solver makes of this overlap is below roundoff.
-constexpr btScalar kJustTouching = btScalar(-1e-9);
+/// The distance of contacts that just touch, metres, or as much below zero as they are apart if that is less. Bullet's
+/// solver leaves m_linearSlop over this of the gap open: PyBullet's 1e-5 is a small part, and 0.1 mm is to apps.
+constexpr btScalar kJustTouching = btScalar(-1e-4);
 
 /// An error reduction that changes nothing, and that ForgetTouching() takes back.
 constexpr btScalar kNoPush = btScalar(-1e-30);
@@ -58,9 +59,9 @@ inline void ShowTouching(btPersistentManifold& manifold, bool was_loaded, const 
     if (softness != 0 && is_closed) SoftenImpact(btScalar(motion.TimeStep() - double(gap) / speed), point);
     if (softness != 0 || !(is_closed || (was_loaded && gap <= near))) continue;
     DGD_ASSERT(std::isfinite(gap));
-    point.m_contactERP = gap / kJustTouching;
+    point.m_distance1 = btMax(-gap, kJustTouching);
+    point.m_contactERP = gap / point.m_distance1;
     point.m_contactPointFlags |= BT_CONTACT_FLAG_HAS_CONTACT_ERP;
-    point.m_distance1 = kJustTouching;
   }
 }
 

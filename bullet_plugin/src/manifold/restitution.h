@@ -73,13 +73,12 @@ inline void PrepareRebound(btManifoldPoint& point, const PairMotion& motion) {
   if (!after || !(approach_in_solver > 0)) return;
   DGD_ASSERT(*after > 0);
   point.m_combinedRestitution = btScalar(*after / approach_in_solver);
-  if (gap > 0) {
-    point.m_distance1 = kJustTouching;
-  } else if (SoftnessOf(point) == 0) {
-    // Overlap is taken back by speed that bodies keep: not of those that part in any case.
-    point.m_contactERP = kNoPush;
-    point.m_contactPointFlags |= BT_CONTACT_FLAG_HAS_CONTACT_ERP;
-  }
+  const bool is_soft = SoftnessOf(point) != 0;
+  point.m_distance1 = btMin(point.m_distance1, is_soft ? kNoPush : kJustTouching);
+  if (is_soft) return;
+  // Overlap is taken back by speed that bodies keep: not of those that part in any case.
+  point.m_contactERP = kNoPush;
+  point.m_contactPointFlags |= BT_CONTACT_FLAG_HAS_CONTACT_ERP;
 }
 
 }  // namespace DGD_BULLET_PRECISION
