@@ -25,11 +25,9 @@ constexpr btScalar kJustTouching = btScalar(-1e-4);
 constexpr btScalar kNoPush = btScalar(-1e-30);
 
 /// Flags of what an app, its material or this file has set of how a point gives way.
-constexpr int kMaterialSoftness = BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING;
 constexpr int kPointSoftness = BT_CONTACT_FLAG_HAS_CONTACT_CFM | BT_CONTACT_FLAG_HAS_CONTACT_ERP;
-inline int SoftnessOf(const btManifoldPoint& point) {
-  return point.m_contactPointFlags & (kMaterialSoftness | kPointSoftness);
-}
+constexpr int kSoftness = BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING | kPointSoftness;
+inline int SoftnessOf(const btManifoldPoint& point) { return point.m_contactPointFlags & kSoftness; }
 
 /// Has a soft point that touches within the step give way for the rest of it: its spring acts from there on, by half of
 /// what the bodies overlap at the end. Bullet's solver has it act all the step, by all of that.
