@@ -6,7 +6,6 @@
 #include <LinearMath/btTransformUtil.h>
 
 #include <cmath>
-
 #include <limits>
 
 #include "body_velocity.h"

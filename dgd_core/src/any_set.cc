@@ -92,12 +92,12 @@ Gradient<double> SignedDistanceGradient(const AnySet& set_1, const Pose<double>&
 }
 
 void FindFacingFaces(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2, const Pose<double>& pose_2,
-                     const Result<double>& result, double angular_tolerance, FacingFaces<double>& facing) {
+                     const Result<double>& result, FacingFaces<double>& facing) {
   facing.Clear();
   facing.frame = PatchFrame<double>(result);
   set_1.Visit([&](const auto& set) { FindFace(set, pose_1, result.normal, facing.frame, facing.face_1); });
   set_2.Visit([&](const auto& set) { FindFace(set, pose_2, -result.normal, facing.frame, facing.face_2); });
-  facing.FindOverlap(angular_tolerance);
+  facing.FindOverlap();
 }
 
 TimeOfImpactResult<double> TimeOfImpact(const AnySet& set_1, const Motion<double>& motion_1, const AnySet& set_2,

@@ -212,7 +212,7 @@ TEST_F(AnySetTest, FacesOnAHalfSpaceAndOnABox_AreFound) {
   above.translation.z() = 1.1;
   dgd::FacingFaces<double> facing;
   const auto growth = dgd::GrowthDistance(box, Pose(), box, above);
-  dgd::FindFacingFaces(box, Pose(), box, above, growth, 0.1, facing);
+  dgd::FindFacingFaces(box, Pose(), box, above, growth, facing);
   EXPECT_EQ(facing.overlap.size, 4);
   EXPECT_TRUE(facing.is_across_1 && facing.is_across_2);
   EXPECT_EQ(dgd::ReferenceSideOf(facing), dgd::ReferenceSide::kSet1);

@@ -78,17 +78,6 @@ TEST_F(RestingPair, PointsThatStick_AreHeldWhereTheyAre) {
   }
 }
 
-/// A change of the order in which Bullet's solver goes through the points makes bodies tremble.
-TEST_F(RestingPair, PointThatCarriesMost_ComesFirstOnlyWhereBodiesHaveMoved) {
-  const auto impulse = [&](int i) { return Manifold().getContactPoint(i).m_appliedImpulse; };
-  for (int i = 0; i < 4; ++i) Manifold().getContactPoint(i).m_appliedImpulse = btScalar(1 + i);
-  ASSERT_TRUE(Detect());
-  for (int i = 0; i < 4; ++i) EXPECT_EQ(impulse(i), btScalar(1 + i));
-  MoveBody(Vec(1e-4, 0, 0));
-  ASSERT_TRUE(Detect());
-  EXPECT_EQ(impulse(0), btScalar(4));
-}
-
 TEST_F(RestingPair, PointsThatStickNoLonger_AreLetGo) {
   for (int i = 0; i < 4; ++i) Manifold().getContactPoint(i).m_appliedImpulse = 1;
   ASSERT_TRUE(Detect());

@@ -90,21 +90,6 @@ TEST(ContactDistance, BodiesWithinIt_HaveContactsAndOthersNone) {
   }
 }
 
-TEST(AngularTolerance, TiltedBox_IsOnAnEdgeOnceItsFaceCountsAsOne) {
-  btBoxShape box(Vec(0.5, 0.3, 0.2)), floor(Vec(5, 5, 1));
-  const auto contacts_with = [&](double tolerance) {
-    dgd_bullet::Options options;
-    options.angular_tolerance = tolerance;
-    Dispatching dispatching(Route::kConfiguration, options);
-    PairQuery pair(dispatching.dispatcher(), box, floor);
-    pair.SetPoses(MakeTransform(Eigen::AngleAxisd(0.02, Vector::UnitX()).toRotationMatrix(), {0, 0, 0.2}),
-                  At(0, 0, -1));
-    return pair.Step().size();
-  };
-  EXPECT_EQ(contacts_with(0.1), 4U);
-  EXPECT_LT(contacts_with(0.01), 4U);
-}
-
 TEST(GeometryMode, Bullets_BoxStandsOnASharpEdge) {
   btBoxShape box(Vec(0.5, 0.5, 0.5)), floor(Vec(5, 5, 1));
   const btTransform on_edge = MakeTransform(Eigen::AngleAxisd(std::numbers::pi / 4, Vector::UnitX()).toRotationMatrix(),

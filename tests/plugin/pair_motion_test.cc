@@ -67,11 +67,15 @@ TEST_F(OfTwoBodies, KinematicSpinner_TurnsAsTheAppTurnsIt) {
   EXPECT_NEAR(TurnOf(*moving_, *other_), 3, 1e-5);
 }
 
-/// Whether a box on edge goes on turning about its next edge, with its base along x.
-bool TurnsOver(double half_base, double half_height) {
+/// Whether a box on edge that turns goes on turning about its next edge, with its base along x.
+/// @param spin  rad/s.
+bool TurnsOver(double half_base, double half_height, double spin = 100) {
   btBoxShape shape(Vec(half_base, 0.1, half_height));
   const auto box = MakeRigidBody(shape, 1, At(0, 0, half_height));
   const auto ground = MakeRigidBody(shape, 0, At(0, 0, -half_height));
+  box->setAngularVelocity(Vec(0, spin, 0));
+  box->setLinearVelocity(Vec(spin * half_height, 0, -spin * half_base));
+  box->applyCentralForce(Vec(0, 0, -9.81));
   const PairMotion motion(dgd_bullet::BoundedBody(*ground), dgd_bullet::BoundedBody(*box), kTime);
   return motion.TurnOver({-half_base, 0, 0}, {half_base, 0, 0}, Vector3::UnitZ());
 }
@@ -82,6 +86,13 @@ TEST(TurnOver, Box_RocksIfItIsSlender) {
   EXPECT_TRUE(TurnsOver(1.39, 1));
   EXPECT_FALSE(TurnsOver(1.44, 1));
   EXPECT_FALSE(TurnsOver(0.5, 0.02));
+}
+
+// About an edge a box of base 2 b and height 2 h turns by g b / (4/3 (b^2 + h^2)) within a second of weight.
+TEST(TurnOver, Box_StandsIfItsWeightAloneGivesItTheSpeedInAStep) {
+  const double by_weight = kTime * 9.81 * 0.1 / (4.0 / 3 * (0.1 * 0.1 + 0.5 * 0.5));
+  EXPECT_FALSE(TurnsOver(0.1, 0.5, 0.99 * by_weight));
+  EXPECT_TRUE(TurnsOver(0.1, 0.5, 1.01 * by_weight));
 }
 
 }  // namespace

@@ -48,10 +48,6 @@ struct Options {
   /// solver, and let bodies rock.
   int patch_size = 4;
 
-  /// Faces turned away from the contact normal by more than this count as edges; radians, in (0, 1.5]. The points of a
-  /// tilted face that matter are found by their distance, so there is little reason to lower it.
-  double angular_tolerance = 1.47;
-
   /// Distance up to which bodies get contacts; metres, >= 0. 0 stands for each manifold's breaking threshold, which is
   /// Bullet's own measure (2 cm for large bodies). Larger values hand over contacts earlier, which Bullet's solver
   /// keeps open until they close; points in manifolds that are not the pair's own never exceed the threshold. In a

@@ -44,7 +44,6 @@ constexpr Option kOptions[] = {
     {"max_iterations", kInteger, SetNumber<&Options::max_iterations>},
     {"contact_patch", kSwitch, SetSwitch<&Options::contact_patch>},
     {"patch_size", kInteger, SetNumber<&Options::patch_size>},
-    {"angular_tolerance", kNumber, SetNumber<&Options::angular_tolerance>},
     {"contact_distance", kNumber, SetNumber<&Options::contact_distance>},
     {"geometry_mode", "bullet or sharp", SetGeometryMode},
     {"speculative_contacts", kSwitch, SetSwitch<&Options::speculative_contacts>},

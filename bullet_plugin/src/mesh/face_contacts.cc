@@ -18,14 +18,13 @@ namespace {
 constexpr double kMinFacing = 0.1;
 
 /// The faces that the shapes show each other along result.normal.
-dgd::FacingFaces<double> FindFacing(const PosedShape& shape, const PosedShape& triangle, const Contact& result,
-                                    double angular_tolerance) {
+dgd::FacingFaces<double> FindFacing(const PosedShape& shape, const PosedShape& triangle, const Contact& result) {
   dgd::FacingFaces<double> facing;
-  dgd::FindFacingFaces(shape.set, shape.pose, triangle.set, triangle.pose, result, angular_tolerance, facing);
+  dgd::FindFacingFaces(shape.set, shape.pose, triangle.set, triangle.pose, result, facing);
   if (facing.face_1.size == 0) {
     // A shape that shows no faces touches at its farthest point.
     facing.face_1.Add(facing.frame.FromWorld(result.witness_1));
-    facing.FindOverlap(angular_tolerance);
+    facing.FindOverlap();
   }
   return facing;
 }
@@ -45,14 +44,14 @@ bool IsTowards(const Vector3& normal, const PosedShape& convex, const PosedShape
 
 /// The contacts of a pair where it has been moved to, moved back to the step's beginning.
 FaceContacts FindFaceContacts(const MovingPair& pair, const Vector3& normal, const Moment& moment,
-                              double angular_tolerance, const PatchRules& rules) {
+                              const PatchRules& rules) {
   DGD_ASSERT(IsUnit(normal) && !(rules.flush < 0));
   Contact contact;
   contact.normal = normal;
   contact.witness_1 = SupportPoint(pair.a(), normal);
   contact.separation = normal.dot(SupportPoint(pair.b(), -normal) - contact.witness_1);
   contact.witness_2 = contact.witness_1 + contact.separation * normal;
-  const dgd::FacingFaces<double> facing = FindFacing(pair.a(), pair.b(), contact, angular_tolerance);
+  const dgd::FacingFaces<double> facing = FindFacing(pair.a(), pair.b(), contact);
   const dgd::Corner<double>* nearest = facing.Nearest();
   if (nearest == nullptr) return {};
   contact.separation = nearest->Separation();
@@ -77,7 +76,7 @@ FaceContacts FindTriangleFaceContacts(SharedState& narrowphase, PairCache& cache
   MovingPair pair(convex, triangle, query.motion);
   pair.MoveTo(moment.time);
   const PatchRules rules{query.limits.range, query.limits.patch_settings, query.motion, query.flush};
-  return FindFaceContacts(pair, towards, moment, narrowphase.options().angular_tolerance, rules);
+  return FindFaceContacts(pair, towards, moment, rules);
 } catch (const std::exception&) {
   return {};  // FindTriangleContacts() has counted it.
 }

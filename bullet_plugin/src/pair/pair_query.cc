@@ -119,7 +119,7 @@ void PairQuery::FindPatch(Contact& contact, PairContacts& contacts) {
   const auto patch_of = [&](const PosedShape& a, const PosedShape& b, const Contact& certified, const Moment& moment) {
     if (!options_.contact_patch) return WitnessOnly(certified);
     dgd::FacingFaces<double> facing;
-    dgd::FindFacingFaces(a.set, a.pose, b.set, b.pose, certified, options_.angular_tolerance, facing);
+    dgd::FindFacingFaces(a.set, a.pose, b.set, b.pose, certified, facing);
     contacts.side = dgd::ReferenceSideOf(facing);
     return dgd_bullet::FindPatch(certified, facing, rules_, moment);
   };

@@ -29,8 +29,6 @@ SharedState::SharedState(const Options& options) : options_(options) {
   require(options.max_iterations >= 1, "max_iterations", ">= 1", options.max_iterations);
   require(options.patch_size >= 1 && options.patch_size <= dgd::ContactPatch<double>::kMaxPoints, "patch_size",
           "1 to 4", options.patch_size);
-  require(options.angular_tolerance > 0 && options.angular_tolerance <= 1.5, "angular_tolerance", "in (0, 1.5] rad",
-          options.angular_tolerance);
   require(options.contact_distance >= 0 && std::isfinite(options.contact_distance), "contact_distance",
           ">= 0 and finite, in metres", options.contact_distance);
   if (options.count_pairs) pair_counters_ = std::make_unique<PairCounters>();

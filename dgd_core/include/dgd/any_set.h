@@ -150,8 +150,7 @@ DGD_EXPORT Gradient<double> SignedDistanceGradient(const AnySet& set_1, const Po
 
 /// FindFacingFaces() of facing_faces.h.
 DGD_EXPORT void FindFacingFaces(const AnySet& set_1, const Pose<double>& pose_1, const AnySet& set_2,
-                                const Pose<double>& pose_2, const Result<double>& result, double angular_tolerance,
-                                FacingFaces<double>& facing);
+                                const Pose<double>& pose_2, const Result<double>& result, FacingFaces<double>& facing);
 
 /// TimeOfImpact() of time_of_impact.h.
 DGD_EXPORT TimeOfImpactResult<double> TimeOfImpact(const AnySet& set_1, const Motion<double>& motion_1,

@@ -1,9 +1,8 @@
 // The contact patch: the points in which two posed sets face each other along a certified normal.
 //
 // The patch is the overlap of the two supporting faces (facing_faces.h); over each of its corners the distance of the
-// two surfaces is exact, so no point claims more overlap than there is. An angular tolerance hardly matters: where
-// faces are tilted against each other, the far corners are simply apart by more than the contact distance and fall
-// away.
+// two surfaces is exact, so no point claims more overlap than there is. Where faces are tilted against each other, the
+// far corners are apart by more than the contact distance and fall away.
 #pragma once
 
 #include <array>

@@ -24,7 +24,6 @@ namespace {
 using Vector3d = Eigen::Vector3d;
 
 constexpr double kContactDistance = 0.02;
-constexpr double kAngularTolerance = 1.47;
 constexpr double kTolerance = 1e-9;  // Metres.
 
 bool Never(const Vector3d&, double) { return false; }
@@ -34,7 +33,7 @@ dgd::ContactPatch<double> PatchOf(const Set1& set_1, const dgd::Pose<double>& po
                                   const dgd::Pose<double>& pose_2, IsApproaching is_approaching = Never) {
   const dgd::Result<double> result = AnyPair<double, 3>(Erase(set_1), pose_1, Erase(set_2), pose_2).GrowthDistance();
   EXPECT_EQ(result.status, dgd::Status::kOptimal);
-  const auto facing = dgd::FindFacingFaces(set_1, pose_1, set_2, pose_2, result, kAngularTolerance);
+  const auto facing = dgd::FindFacingFaces(set_1, pose_1, set_2, pose_2, result);
   return dgd::FindContactPatch(
       result, facing, {.contact_distance = kContactDistance, .spacing = 0.01, .equal_depth = 1e-5}, is_approaching);
 }
@@ -170,7 +169,7 @@ TEST(ContactPatch, EqualDepthNaN_TheDeepestCornerIsKept) {
   const dgd::RoundedSet box{dgd::Box<double>({1, 0.5, 0.25})};
   const dgd::Pose<double> below = At({0, 0, 0}), above = At({1, 0, 0.499});
   const dgd::Result<double> result = dgd::GrowthDistance(box, below, box, above);
-  const auto facing = dgd::FindFacingFaces(box, below, box, above, result, kAngularTolerance);
+  const auto facing = dgd::FindFacingFaces(box, below, box, above, result);
   const double none = std::numeric_limits<double>::quiet_NaN();
   const dgd::ContactPatch<double> patch = dgd::FindContactPatch(
       result, facing, {.contact_distance = kContactDistance, .spacing = 0.01, .equal_depth = none}, Never);

@@ -86,14 +86,17 @@ struct CornerList {
 
 namespace facing_faces_internal {
 
+/// Cosine of the angle between a polygon and the plane across the normal below which it counts as its nearest edge:
+/// seen from aside, its heights lose their digits.
+constexpr double kMinCosine = 0.1;
+
 /// A face seen along the normal.
 template <class S>
 class ProjectedFace {
  public:
-  /// @param min_cosine  Of the angle between the polygon's normal and the contact's; below it, the face is an edge.
   // cppcheck-suppress uninitMemberVar ; a reference, which is
-  ProjectedFace(const SupportingFace<S>& face, S min_cosine) : face_(face), area_(face.Area()) {
-    is_polygon_ = face.size > 2 && area_.z() * area_.z() > min_cosine * min_cosine * area_.squaredNorm();
+  explicit ProjectedFace(const SupportingFace<S>& face) : face_(face), area_(face.Area()) {
+    is_polygon_ = face.size > 2 && area_.z() * area_.z() > S(kMinCosine * kMinCosine) * area_.squaredNorm();
     if (!is_polygon_) return;
     slope_x_ = -area_.x() / area_.z();
     slope_y_ = -area_.y() / area_.z();
@@ -237,13 +240,10 @@ struct FacingFaces {
   }
 
   /// Finds the overlap of the two faces, once both are there. Not inlined: it is long, and the same for all sets.
-  /// @param angular_tolerance  Faces turned away from the normal by more than this count as their nearest edge; radians
-  ///                           in (0, pi / 2). Seen from aside, their heights lose their digits.
-  DGD_FLATTEN DGD_NOINLINE void FindOverlap(S angular_tolerance) {
-    DGD_ASSERT(angular_tolerance > 0 && overlap.size == 0);
+  DGD_FLATTEN DGD_NOINLINE void FindOverlap() {
+    DGD_ASSERT(overlap.size == 0);
     using namespace facing_faces_internal;
-    const S min_cosine = std::cos(angular_tolerance);
-    const ProjectedFace<S> projected_1(face_1, min_cosine), projected_2(face_2, min_cosine);
+    const ProjectedFace<S> projected_1(face_1), projected_2(face_2);
     const auto keep_highest_edge = [](S up, SupportingFace<S>& face) {
       std::partial_sort(face.points.begin(), face.points.begin() + 2, face.points.begin() + face.size,
                         [up](const auto& a, const auto& b) { return up * a.z() > up * b.z(); });
@@ -278,19 +278,17 @@ struct FacingFaces {
 };
 
 /// What two sets show each other along a result's normal, as FindContactPatch() takes it.
-/// @param result             Its normal and witness points count; world, metres.
-/// @param angular_tolerance  That of FindOverlap().
+/// @param result  Its normal and witness points count; world, metres.
 template <class Set1, class Set2>
 FacingFaces<typename Set1::Scalar> FindFacingFaces(const Set1& set_1, const Pose<typename Set1::Scalar>& pose_1,
                                                    const Set2& set_2, const Pose<typename Set1::Scalar>& pose_2,
-                                                   const Result<typename Set1::Scalar>& result,
-                                                   typename Set1::Scalar angular_tolerance) {
+                                                   const Result<typename Set1::Scalar>& result) {
   using S = typename Set1::Scalar;
   FacingFaces<S> facing;
   facing.frame = PatchFrame<S>(result);
   FindFace(set_1, pose_1, result.normal, facing.frame, facing.face_1);
   FindFace(set_2, pose_2, Vector3<S>(-result.normal), facing.frame, facing.face_2);
-  facing.FindOverlap(angular_tolerance);
+  facing.FindOverlap();
   return facing;
 }
 
