@@ -22,12 +22,10 @@ struct KnownError {
   double rate;   // Hz
   double error;  // At most.
 };
-constexpr std::array<KnownError, 9> kKnownErrors = {{{"rocking", 60, 0.45},
-                                                     {"rocking", 240, 0.13},
-                                                     {"disc_circle", 60, 0.6},
-                                                     {"poles", 60, 0.8},
-                                                     {"poles", 240, 0.5},
-                                                     {"poles", 1000, 0.12},
+constexpr std::array<KnownError, 7> kKnownErrors = {{{"disc_circle", 60, 0.6},
+                                                     {"poles", 60, 0.5},
+                                                     {"poles", 240, 0.25},
+                                                     {"poles", 1000, 0.06},
                                                      {"angular_momentum", 60, 0.035},
                                                      {"angular_momentum", 240, 0.035},
                                                      {"angular_momentum", 1000, 0.035}}};
