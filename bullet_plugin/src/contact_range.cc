@@ -58,7 +58,7 @@ dgd::PatchSettings<double> PatchSettingsOf(const Options& options, const PairMan
                                            const ContactRange& range, bool is_user_query) {
   const double breaking_threshold = manifold.BreakingThreshold();
   return {.contact_distance = range.touching,
-          .spacing = NegligibleDistance(breaking_threshold),
+          .spacing = breaking_threshold,
           .equal_depth = (is_user_query ? kNoDepthPart : kEqualDepthPart) * breaking_threshold,
           .max_points = options.patch_size};
 }

@@ -32,7 +32,7 @@ class Reduction {
  public:
   Reduction(std::span<MeshContact> contacts, const dgd::PatchSettings<double>& settings, const PairMotion& motion,
             const btPersistentManifold& manifold)
-      : contacts_(contacts), settings_(settings), spacing_(manifold.getContactBreakingThreshold()) {
+      : contacts_(contacts), settings_(settings) {
     DGD_ASSERT(!contacts.empty() && settings.max_points <= MANIFOLD_CACHE_SIZE);
     for (MeshContact& contact : contacts) {
       contact.touches =
@@ -67,7 +67,7 @@ class Reduction {
       const btManifoldPoint& point = manifold.getContactPoint(j);
       const Vector3 on_a = FromBullet(pose_a * point.m_localPointA);
       const Vector3 normal = FromBullet(point.m_normalWorldOnB);
-      double nearest_sq = spacing_ * spacing_;
+      double nearest_sq = settings_.spacing * settings_.spacing;
       int nearest = kNone;
       for (int i = 0; i < count(); ++i) {
         const MeshContact& contact = At(i);
@@ -144,12 +144,12 @@ class Reduction {
   /// The contact that widens most what the kept ones span.
   int Widest(bool touching) const {
     if (size_ == 0) return kNone;
-    double best = kLeastGain * spacing_;
+    double best = kLeastGain * settings_.spacing;
     int chosen = kNone;
     for (int i = 0; i < count(); ++i) {
       if (At(i).touches != touching || !At(i).is_apart) continue;
       const double gain = Gain(At(i).on_b);
-      if (!(gain > kLeastGain * spacing_) || !(Weight(i) * gain > best)) continue;
+      if (!(gain > kLeastGain * settings_.spacing) || !(Weight(i) * gain > best)) continue;
       best = Weight(i) * gain;
       chosen = i;
     }
@@ -164,7 +164,7 @@ class Reduction {
     const Vector3 along = Kept(1) - a;
     const double length = along.norm();
     // One point may have contacts in several directions.
-    if (!(length > spacing_)) return (point - a).norm();
+    if (!(length > settings_.spacing)) return (point - a).norm();
     if (size_ == 2) return along.cross(point - a).norm() / length;
     const Vector3 &b = Kept(1), &c = Kept(2);
     const double span =
@@ -179,7 +179,7 @@ class Reduction {
     const MeshContact kept = At(i);
     for (MeshContact& contact : contacts_) {
       if (contact.normal_on_b.dot(kept.normal_on_b) > kSameDirection) contact.is_new_direction = false;
-      if (!((contact.on_b - kept.on_b).squaredNorm() > spacing_ * spacing_)) contact.is_apart = false;
+      if (!((contact.on_b - kept.on_b).squaredNorm() > settings_.spacing * settings_.spacing)) contact.is_apart = false;
     }
     return true;
   }
@@ -197,7 +197,6 @@ class Reduction {
 
   const std::span<MeshContact> contacts_;
   const dgd::PatchSettings<double>& settings_;
-  const double spacing_;  // Metres: nearer points are one to Bullet.
   Vector3 middle_ = Vector3::Zero();
   std::array<int, MANIFOLD_CACHE_SIZE> kept_{};
   int size_ = 0;  // Number of those kept.

@@ -27,7 +27,7 @@ struct ReducedContacts {
 /// Among those that are as good within a tolerance, points are chosen that the manifold has already: else contacts take
 /// turns, and with them the impulses that the solver begins with, and what lies on a mesh trembles.
 /// @param contacts  Their members for the reduction are set.
-/// @param settings  Its equal depth and number of points count.
+/// @param settings  Its spacing, equal depth and number of points count.
 /// @param motion    Motion of body A, the manifold's first, and the mesh.
 ReducedContacts ReduceContacts(std::span<MeshContact> contacts, const dgd::PatchSettings<double>& settings,
                                const PairMotion& motion, const btPersistentManifold& manifold);

@@ -24,7 +24,7 @@ bool IsSupporting(const PatchRules& rules, const Contact& contact) {
 /// rock and hulls that roll (physics_truth, tests/plugin) are the same with half and with twice.
 bool IsFastLanding(const PatchRules& rules, const Vector3& normal, double overlap) {
   const double by_weight = rules.motion.TimeStep() * rules.motion.ApproachSpeedGain(normal);
-  return overlap * overlap > 2 / kNegligiblePart * rules.flush * std::max(by_weight, 0.0);
+  return overlap * overlap > 2 * rules.settings.spacing * std::max(by_weight, 0.0);
 }
 
 }  // namespace

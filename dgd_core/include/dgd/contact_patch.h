@@ -28,7 +28,8 @@ template <class S>
 struct PatchSettings {
   /// Points not farther apart than this; metres.
   S contact_distance = 0;
-  /// Least distance of two points across the normal; metres, >= 0.
+  /// Least distance of two points across the normal, of a line's ends a thousandth of this; metres, >= 0. A foot that
+  /// is smaller is one point: by several the few iterations of a solver with warm starts make it rock until it falls.
   S spacing = 0;
   /// A corner that is as deep as the witness within this stands for it, and the first of corners within a hundredth of
   /// this counts as the deepest; metres, >= 0. For simulations: four corners serve the solver of the constraints better
@@ -73,7 +74,7 @@ template <class S>
 void Reduce(const CornerList<S>& corners, const PatchSettings<S>& settings, CornerList<S>& kept) {
   DGD_ASSERT(corners.size > 0 && kept.size == 0);
   DGD_ASSERT(settings.max_points >= 1 && settings.max_points <= ContactPatch<S>::kMaxPoints && settings.spacing >= 0);
-  const S spacing_sq = settings.spacing * settings.spacing;
+  const S spacing = corners.size == 2 ? settings.spacing / 1000 : settings.spacing, spacing_sq = spacing * spacing;
   const auto distance_sq = [](const Corner<S>& a, const Corner<S>& b) {
     return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
   };
