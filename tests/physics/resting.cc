@@ -196,12 +196,15 @@ Samples MeasureMultibodyStack(const Conditions& conditions, int count, double ha
   MultibodyWorld world(conditions);
   world.AddStatic(lab.Make<btBoxShape>(Vec(5, 5, 0.5)), At(Vec(0, 0, -0.5)), kSurface);
   auto& shape = lab.Make<btBoxShape>(Vec(half, half, half));
-  const btMultiBody* top = nullptr;
-  for (int i = 0; i < count; ++i)
-    top = &world.AddBase(shape, 1, At(Vec(0.23, 0.31, (2 * i + 1) * half), Yaw(HeadingOf(index))), kSurface);
-  const btVector3 start = top->getBasePos();
+  std::vector<const btMultiBody*> boxes;
+  for (int i = 0; i < count; ++i) {
+    const btTransform pose = At(Vec(0.23, 0.31, (2 * i + 1) * half), Yaw(HeadingOf(index)));
+    boxes.push_back(&world.AddBase(shape, 1, pose, kSurface));
+  }
+  const btMultiBody& top = *boxes.back();
+  const btVector3 start = top.getBasePos();
   for (int step = lab.StepsIn(kDuration); step > 0; --step) world.Step();
-  const btVector3 moved = (top->getBasePos() - start) / btScalar(2 * count * half);
+  const btVector3 moved = (top.getBasePos() - start) / btScalar(2 * count * half);
   const std::string name = Text(count) + " multibodies of " + Text(half) + " m";
   return {Sample{name + ": lower", -double(moved.z()), 0, 1, "multibodies"},
           Sample{name + ": aside", std::hypot(double(moved.x()), double(moved.y())), 0, 1, "multibodies"}};

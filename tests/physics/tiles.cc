@@ -38,14 +38,15 @@ Sample MeasureTiles(const Conditions& conditions, const Tiles& it) {
   const btTransform frame = At(Vec(0, 0, 0), Yaw(HeadingOf(it.index)) * btQuaternion(Vec(0, 1, 0), btScalar(it.slope)));
   lab.AddGround(it.ground, frame, {}, kSurface);
   auto& shape = lab.Make<btBoxShape>(Vec(it.half_side, it.half_side, it.half_height));
-  const btRigidBody* top = nullptr;
+  std::vector<const btRigidBody*> tiles;
   for (int i = 0; i < it.count; ++i) {
     const btTransform pose = At(Vec(0.23, 0.31, (2 * i + 1) * it.half_height), Yaw(it.rows_turn * i));
-    top = &lab.AddBody(shape, 1, frame * pose, kSurface);
+    tiles.push_back(&lab.AddBody(shape, 1, frame * pose, kSurface));
   }
-  const btVector3 start = PositionOf(*top);
+  const btRigidBody& top = *tiles.back();
+  const btVector3 start = PositionOf(top);
   lab.Run(kDuration);
-  const double way = std::abs(double((PositionOf(*top) - start).dot(frame.getBasis().getColumn(0))));
+  const double way = std::abs(double((PositionOf(top) - start).dot(frame.getBasis().getColumn(0))));
   return {Text(it.count) + " tiles of " + Text(2 * it.half_side) + " x " + Text(2 * it.half_height) + " m on " +
               NameOf(it.ground) + ", slope " + Text(it.slope) + ", each turned by " + Text(it.rows_turn) + ": way",
           way / it.half_side, 0, 1, it.rows_turn > 0 ? "turned" : "aligned"};
