@@ -14,6 +14,17 @@
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
+namespace {
+
+/// Whether Bullet's own algorithm has no contacts before the bodies touch: that of two boxes or of two spheres.
+bool TouchFirstWithBullet(const btManifoldResult& output) {
+  const int type = output.getBody0Wrap()->getCollisionShape()->getShapeType();
+  return (type == BOX_SHAPE_PROXYTYPE || type == SPHERE_SHAPE_PROXYTYPE) &&
+         type == output.getBody1Wrap()->getCollisionShape()->getShapeType();
+}
+
+}  // namespace
+
 bool Rebounds(const btManifoldResult& output) {
   return gCalculateCombinedRestitutionCallback(output.getBody0Internal(), output.getBody1Internal()) > 0;
 }
@@ -30,15 +41,11 @@ ContactRange RangeOfContacts(const Options& options, const PairManifold& manifol
   // Nothing keeps a sensor apart from others: it overlaps them first, in a step or without. A query gets what is near.
   const bool has_response =
       output.getBody0Internal()->hasContactResponse() && output.getBody1Internal()->hasContactResponse();
-  const int type = output.getBody0Wrap()->getCollisionShape()->getShapeType();
-  const bool needs_overlap = type == output.getBody1Wrap()->getCollisionShape()->getShapeType() &&
-                             (type == BOX_SHAPE_PROXYTYPE || type == SPHERE_SHAPE_PROXYTYPE);
-  if ((!has_response || (needs_overlap && !(info.m_timeStep > 0))) && !IsUserQuery(output)) {
-    const auto distance = double(output.m_closestPointDistanceThreshold);
-    return {distance, distance};
-  }
-  if (!motion.IsKnown()) {
-    const double distance = ContactDistance(options, breaking_threshold, output);
+  const bool is_step = info.m_timeStep > 0;
+  const bool touch_first = !IsUserQuery(output) && (!has_response || (!is_step && TouchFirstWithBullet(output)));
+  if (touch_first || !motion.IsKnown()) {
+    const double distance = touch_first ? double(output.m_closestPointDistanceThreshold)
+                                        : ContactDistance(options, breaking_threshold, output);
     return {distance, distance};
   }
   double touching = options.contact_distance > 0 ? options.contact_distance : breaking_threshold;

@@ -100,7 +100,7 @@ class PairMotion {
   /// and keeps its angular momentum about that place: k^2 + <from - c, to - c> > 0 across the axis, with the centre of
   /// mass c and the radius of gyration k (G. Housner, The behavior of inverted pendulum structures during earthquakes,
   /// 1963). What lands no faster than its weight makes it in one step does not either: it would rock to and fro faster
-  /// than steps can follow, which is to stand.
+  /// than steps can follow, which is to stand. Nor do bodies at places one above the other, about which nothing turns.
   /// @param from, to  Places of the contacts, world, metres.
   /// @param normal    Of both, unit, world.
   bool TurnOver(const Vector3& from, const Vector3& to, const Vector3& normal) const {
@@ -128,6 +128,7 @@ class PairMotion {
     bool TurnsOver(const Vector3& from, const Vector3& to, const Vector3& axis) const;
     /// The speed along the normal that the forces on the body give the place `to` within the step as it turns about
     /// `from`; metres per second.
+    /// @param axis  (to - from) x normal, as of TurnsOver(), metres.
     double TippingSpeed(const Vector3& from, const Vector3& axis) const;
 
     Vector3 linear = Vector3::Zero();         // Velocity of the centre of mass, metres per second.

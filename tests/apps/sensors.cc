@@ -1,6 +1,6 @@
 // Light barriers, triggers and collectibles: a body without contact response, or a ghost, which a body flies into. It
 // must report the body when that overlaps it, not before, and leave its flight alone. The same where the app moves the
-// body itself, and only asks for contacts: of a world that never steps, or of an algorithm that it calls by hand.
+// body itself, and only queries contacts: of a world that never steps, or of an algorithm that it calls by hand.
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
 
 #include <algorithm>
@@ -71,7 +71,7 @@ Report ReportOf(Lab& lab) {
   return report;
 }
 
-Report AskByHand(Lab& lab, const btCollisionObject& first, const btCollisionObject& second) {
+Report QueryByHand(Lab& lab, const btCollisionObject& first, const btCollisionObject& second) {
   btDispatcher& dispatcher = *lab.world().getDispatcher();
   const btCollisionObjectWrapper wrapped_first(nullptr, first.getCollisionShape(), &first, first.getWorldTransform(),
                                                -1, -1);
@@ -118,7 +118,7 @@ Case RunFlight(const Conditions& conditions, const Flight& it) {
       return ReportOf(lab);
     }
     if (it.detection == Detection::kNoStep) lab.world().performDiscreteCollisionDetection();
-    const Report report = it.detection == Detection::kByHand ? AskByHand(lab, *sensor, body) : ReportOf(lab);
+    const Report report = it.detection == Detection::kByHand ? QueryByHand(lab, *sensor, body) : ReportOf(lab);
     body.setWorldTransform(At(PositionOf(body) - Vec(0, 0, it.speed * lab.dt())));
     return report;
   };

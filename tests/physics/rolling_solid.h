@@ -32,7 +32,9 @@ SolidMotion RollOnLowestCorner(const Solid& solid, const Eigen::Quaterniond& rot
 /// rebound (Moreau's impact: all impulses of one moment together), and stick or slip by Coulomb's law. Of a polygon
 /// that goes over from corner to corner without slip this is Housner's impact: the angular velocity is multiplied by
 /// (k^2 + a . b) / (k^2 + R^2), for the radius of gyration k and the corners a and b, both at a distance R.
-/// @param gravity  m/s^2
+/// @param gravity      m/s^2
+/// @param friction     Coulomb's coefficient.
+/// @param seconds, dt  s
 SolidMotion Integrate(const Solid& solid, SolidMotion motion, const Eigen::Vector3d& gravity, double friction,
                       double seconds, double dt = 1e-4);
 

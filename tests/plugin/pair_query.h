@@ -44,7 +44,7 @@ class PairQuery {
 
   /// One step of the pair, in the contact table; makes the algorithm if there is none. The contacts that go into the
   /// manifold.
-  /// @param shared  Manifold to hand to a new algorithm, as a mesh does; null for the algorithm's own.
+  /// @param shared     Manifold to hand to a new algorithm, as a mesh does; null for the algorithm's own.
   /// @param time_step  Seconds; 0 as in a world without steps.
   std::vector<Contact> Step(btPersistentManifold* shared = nullptr, double time_step = 1.0 / 60);
 

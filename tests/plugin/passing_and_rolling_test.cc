@@ -102,7 +102,8 @@ double SpeedLeft(Route route, double rate, double radius = 0.3) {
 }
 
 // 0.781: plane motion of the rigid 32-gon, with an inelastic impact of each corner, event by event. Met ahead of
-// touching, corners brake it to 0.28 and 0.64.
+// touching, corners brake it to 0.28 and 0.64. In the coarse steps of 60 Hz the impacts' moments decide: over eight
+// speeds the error is 0.06 (built-in 0.08; tests/physics, rolling_hulls, judges the class).
 TEST(RollingHull, Wheel_LosesWhatItsCornersImpactsTake) {
   for (const double rate : {60.0, 240.0, 1000.0}) {
     const double builtin = SpeedLeft(Route::kBuiltin, rate), ours = SpeedLeft(Route::kConfiguration, rate);
@@ -133,18 +134,17 @@ void AddRidge(TestWorld& world, bool is_wall) {
 TEST(LandsOnALine, Plank_DoesNotRoll) {
   for (const bool is_wall : {false, true}) {
     for (const double half_width : {0.01, 0.1, 0.3}) {
-      for (const double beside_middle : {0.0, 0.2}) {
+      for (const double off_middle : {0.0, 0.2}) {
         for (const double rate : {60.0, 240.0}) {
           TestWorld world(Route::kConfiguration);
           world.world().setGravity(Vec(0, 0, 0));
           AddRidge(world, is_wall);
-          btRigidBody& plank =
-              world.Add(world.Make<btBoxShape>(Vec(1, half_width, 0.02)), 1, At(0, beside_middle, 0.303));
+          btRigidBody& plank = world.Add(world.Make<btBoxShape>(Vec(1, half_width, 0.02)), 1, At(0, off_middle, 0.303));
           plank.setRestitution(btScalar(0.5));
           plank.setLinearVelocity(Vec(0, 0, -2));
           Simulate(world, rate, 0.2);
           SCOPED_TRACE(std::string(is_wall ? "wall" : "capsule") + ", " + std::to_string(half_width) + " m wide, at " +
-                       std::to_string(beside_middle) + " m, " + std::to_string(rate) + " Hz");
+                       std::to_string(off_middle) + " m, " + std::to_string(rate) + " Hz");
           EXPECT_NEAR(double(plank.getLinearVelocity().z()), 1, 0.02);
           EXPECT_NEAR(double(plank.getAngularVelocity().x()) * half_width, 0, 0.02);
         }

@@ -216,7 +216,7 @@ TEST_P(ContactQueries, SensorWithoutAStep_IsInContactWhenItOverlaps) {
       pair.SetPoses(At(0, 0, 0), At(0, 0, touching + gap));
       EXPECT_EQ(pair.Step(nullptr, 0).empty(), gap > 0) << gap;
     }
-    // An app that asks the pair by hand gets what it asks for.
+    // An app that queries the pair by hand gets what is within its threshold.
     pair.SetPoses(At(0, 0, 0), At(0, 0, touching + 0.01));
     const btCollisionObjectWrapper a(nullptr, shape.shape.get(), &pair.body_a(), pair.body_a().getWorldTransform(), -1,
                                      -1);

@@ -21,10 +21,11 @@ inline namespace DGD_BULLET_PRECISION {
 /// solver leaves m_linearSlop over this of the gap open: PyBullet's 1e-5 is a small part, and 0.1 mm is to apps.
 constexpr btScalar kJustTouching = btScalar(-1e-4);
 
-/// An error reduction that changes nothing, and that ForgetTouching() takes back.
-constexpr btScalar kNoPush = btScalar(-1e-30);
+/// Below zero, and without effect: an error reduction that ForgetTouching() takes back, or a soft contact's distance.
+constexpr btScalar kBelowZero = btScalar(-1e-30);
 
-/// Flags of what an app, its material or this file has set of how a point gives way.
+/// Flags of how a point gives way: by numbers of its own, which an app or this file sets; or by these or its bodies'
+/// stiffness and damping.
 constexpr int kPointSoftness = BT_CONTACT_FLAG_HAS_CONTACT_CFM | BT_CONTACT_FLAG_HAS_CONTACT_ERP;
 constexpr int kSoftness = BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING | kPointSoftness;
 inline int SoftnessOf(const btManifoldPoint& point) { return point.m_contactPointFlags & kSoftness; }
@@ -35,7 +36,7 @@ inline int SoftnessOf(const btManifoldPoint& point) { return point.m_contactPoin
 inline void SoftenImpact(btScalar rest, btManifoldPoint& point) {
   const btScalar stiffness = rest / 2 * point.m_combinedContactStiffness1 + point.m_combinedContactDamping1;
   point.m_contactCFM = 1 / btMax(stiffness, SIMD_EPSILON);
-  point.m_contactERP = kNoPush;
+  point.m_contactERP = kBelowZero;
   point.m_contactPointFlags |= kPointSoftness;
 }
 
@@ -54,8 +55,11 @@ inline void ShowTouching(btPersistentManifold& manifold, bool was_loaded, const 
         motion.ApproachSpeed(FromBullet(point.m_positionWorldOnA), FromBullet(point.m_positionWorldOnB), normal) +
         motion.ApproachSpeedGain(normal);
     const bool is_closed = double(gap) <= motion.TimeStep() * speed;
-    if (softness != 0 && is_closed) SoftenImpact(btScalar(motion.TimeStep() - double(gap) / speed), point);
-    if (softness != 0 || !(is_closed || (was_loaded && gap <= near))) continue;
+    if (softness != 0) {
+      if (is_closed) SoftenImpact(btScalar(motion.TimeStep() - double(gap) / speed), point);
+      continue;
+    }
+    if (!is_closed && !(was_loaded && gap <= near)) continue;
     DGD_ASSERT(std::isfinite(gap));
     point.m_distance1 = btMax(-gap, kJustTouching);
     point.m_contactERP = gap / point.m_distance1;
@@ -63,8 +67,8 @@ inline void ShowTouching(btPersistentManifold& manifold, bool was_loaded, const 
   }
 }
 
-/// Takes back what points have for one step, of which a negative error reduction tells: those that were shown as
-/// touching, soft ones that touched, and those that their rebound does not push. Comes before anything else in a step.
+/// Takes back what points have for one step, marked by a negative error reduction: those that were shown as touching,
+/// soft ones that touched, and those that their rebound does not push. Comes before anything else in a step.
 inline void ForgetTouching(btPersistentManifold& manifold) {
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     btManifoldPoint& point = manifold.getContactPoint(i);

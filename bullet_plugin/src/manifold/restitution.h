@@ -74,10 +74,10 @@ inline void PrepareRebound(btManifoldPoint& point, const PairMotion& motion) {
   DGD_ASSERT(*after > 0);
   point.m_combinedRestitution = btScalar(*after / approach_in_solver);
   const bool is_soft = SoftnessOf(point) != 0;
-  point.m_distance1 = btMin(point.m_distance1, is_soft ? kNoPush : kJustTouching);
+  point.m_distance1 = btMin(point.m_distance1, is_soft ? kBelowZero : kJustTouching);
   if (is_soft) return;
   // Overlap is taken back by speed that bodies keep: not of those that part in any case.
-  point.m_contactERP = kNoPush;
+  point.m_contactERP = kBelowZero;
   point.m_contactPointFlags |= BT_CONTACT_FLAG_HAS_CONTACT_ERP;
 }
 

@@ -74,7 +74,8 @@ template <class S>
 void Reduce(const CornerList<S>& corners, const PatchSettings<S>& settings, CornerList<S>& kept) {
   DGD_ASSERT(corners.size > 0 && kept.size == 0);
   DGD_ASSERT(settings.max_points >= 1 && settings.max_points <= ContactPatch<S>::kMaxPoints && settings.spacing >= 0);
-  const S spacing = corners.size == 2 ? settings.spacing / 1000 : settings.spacing, spacing_sq = spacing * spacing;
+  constexpr S kLineEndsPart = S(1e-3);  // Nearer to each other they are one place, but for roundoff.
+  const S spacing = (corners.size == 2 ? kLineEndsPart : 1) * settings.spacing, spacing_sq = spacing * spacing;
   const auto distance_sq = [](const Corner<S>& a, const Corner<S>& b) {
     return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
   };

@@ -86,7 +86,7 @@ struct CornerList {
 
 namespace facing_faces_internal {
 
-/// Cosine of the angle between a polygon and the plane across the normal below which it counts as its nearest edge:
+/// Least cosine of a polygon's normal to the contact's. One that is turned away farther counts as its nearest edge:
 /// seen from aside, its heights lose their digits.
 constexpr double kMinCosine = 0.1;
 
@@ -225,6 +225,17 @@ void OverlapSegments(const SupportingFace<S>& segment_1, const SupportingFace<S>
   }
 }
 
+/// Leaves the edge of a face that is nearest to the other set: its two highest corners, which are neighbours in a
+/// convex polygon.
+/// @param towards  1 if the other set is up the frame's z axis, -1 if down.
+template <class S>
+void KeepNearestEdge(S towards, SupportingFace<S>& face) {
+  if (face.size <= 2) return;
+  std::partial_sort(face.points.begin(), face.points.begin() + 2, face.points.begin() + face.size,
+                    [towards](const auto& a, const auto& b) { return towards * a.z() > towards * b.z(); });
+  face.size = 2;
+}
+
 }  // namespace facing_faces_internal
 
 /// Two sets' faces along a normal: of set 1 along it, of set 2 against it, and where they overlap.
@@ -244,13 +255,8 @@ struct FacingFaces {
     DGD_ASSERT(overlap.size == 0);
     using namespace facing_faces_internal;
     const ProjectedFace<S> projected_1(face_1), projected_2(face_2);
-    const auto keep_highest_edge = [](S up, SupportingFace<S>& face) {
-      std::partial_sort(face.points.begin(), face.points.begin() + 2, face.points.begin() + face.size,
-                        [up](const auto& a, const auto& b) { return up * a.z() > up * b.z(); });
-      face.size = 2;
-    };
-    if (!projected_1.IsPolygon() && face_1.size > 2) keep_highest_edge(S(1), face_1);
-    if (!projected_2.IsPolygon() && face_2.size > 2) keep_highest_edge(S(-1), face_2);
+    if (!projected_1.IsPolygon()) KeepNearestEdge(S(1), face_1);
+    if (!projected_2.IsPolygon()) KeepNearestEdge(S(-1), face_2);
     is_across_1 = projected_1.IsAcross();
     is_across_2 = projected_2.IsAcross();
     if (projected_1.IsPolygon()) {
