@@ -1,4 +1,4 @@
-// Poles, posts and stelae that stand upright where they were put. Statics: whatever stands on a face, its centre above
+// Poles, posts and stelae that stand upright where they were put. Statics: any body on a face, its centre above
 // the middle of it, stands still.
 #include <cmath>
 #include <vector>

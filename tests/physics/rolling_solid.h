@@ -1,5 +1,5 @@
-// A rigid convex polyhedron that rolls, tumbles or slides over a plane, integrated from impact to impact. Knows no
-// Bullet.
+// A rigid convex polyhedron that rolls, tumbles or slides over a plane, integrated from impact to impact,
+// independent of Bullet.
 #pragma once
 
 #include <Eigen/Core>

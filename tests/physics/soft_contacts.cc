@@ -1,5 +1,5 @@
 // btCollisionObject::setContactStiffnessAndDamping(): a contact that is a spring and a damper. A body at rest dips by
-// m g / (n k) on n contacts of stiffness k, whatever the step.
+// m g / (n k) on n contacts of stiffness k, regardless of the step.
 #include <cmath>
 #include <vector>
 

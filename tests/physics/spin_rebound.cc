@@ -1,7 +1,7 @@
 // A ball that hits a wall with a slip: Newton's restitution along the normal, Coulomb's friction in the impact. The
 // contact either sticks, which takes 2/7 of the slip off the ball's velocity, or slides, which takes off mu (1 + e)
 // times the speed of approach: Garwin, Kinematics of an ultraelastic rough ball, 1969, without its tangential
-// restitution. Two free bodies that hit each other keep their angular momentum, whatever the impact.
+// restitution. Two free bodies that hit each other keep their angular momentum in any impact.
 #include "physics/spin_rebound.h"
 
 #include <algorithm>

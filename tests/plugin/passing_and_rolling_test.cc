@@ -130,7 +130,7 @@ void AddRidge(TestWorld& world, bool is_wall) {
   world.Add(world.Make<btBvhTriangleMeshShape>(&triangles, true), 0, At(0, 0, 0)).setRestitution(1);
 }
 
-// Whatever the length of the line that it lands on: that of a plank of 2 cm is as long as the breaking threshold.
+// Regardless of the length of the line that it lands on: that of a plank of 2 cm is as long as the breaking threshold.
 TEST(LandsOnALine, Plank_DoesNotRoll) {
   for (const bool is_wall : {false, true}) {
     for (const double half_width : {0.01, 0.1, 0.3}) {
