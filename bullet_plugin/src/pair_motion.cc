@@ -80,5 +80,15 @@ PairMotion::PairMotion(const BoundedBody& body_a, const BoundedBody& body_b, dou
   DGD_ASSERT(time_step > 0);
 }
 
+double PairMotion::Bend(const Vector3& point) const {
+  const double turn_a = time_step_ * a_.angular.norm(), turn_b = time_step_ * b_.angular.norm();
+  if (!(turn_a + turn_b > 0)) return 0;
+  // An arc leaves its tangent by half the square of its angle, and its circle never.
+  const auto bend = [](double turn, double radius) { return std::min(turn * turn / 2, 2 + turn) * radius; };
+  const double radius_a = (point - a_.center).norm();
+  const double way = time_step_ * RelativeVelocity().norm() + turn_a * radius_a;
+  return bend(turn_a, radius_a) + bend(turn_b, (point - b_.center).norm() + way) + turn_b * way;
+}
+
 }  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

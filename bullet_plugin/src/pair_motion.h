@@ -87,6 +87,10 @@ class PairMotion {
   /// Rotation of body A as body B sees it: radians times the axis, world.
   Vector3 Turn() const { return time_step_ * (a_.angular - b_.angular); }
 
+  /// A bound on how far a point of body A that is at a world point strays within the step from the straight way of
+  /// Approach(), as body B sees it: on arcs about both centres; metres.
+  double Bend(const Vector3& point) const;
+
   /// How far one body's point that is at a world point goes, as the other body sees it; metres.
   double Slip(const Vector3& point) const { return time_step_ * (a_.VelocityAt(point) - b_.VelocityAt(point)).norm(); }
   /// How far the smaller body's rim goes as a direction of its own, now the world's `normal`, tilts in the other's

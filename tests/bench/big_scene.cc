@@ -212,6 +212,35 @@ void BuildMixedOnTerrain(BenchWorld& world) {
   }
 }
 
+/// Eight hulls in a cube, as a decomposition leaves them; eight boxes as a ring; and six boxes with two spheres as a
+/// cross.
+void BuildCompounds(BenchWorld& world) {
+  constexpr int kChildren = 8;
+  world.AddGround(50);
+  Random random(19);
+  auto &cube = world.Make<btCompoundShape>(), &ring = world.Make<btCompoundShape>(),
+       &cross = world.Make<btCompoundShape>();
+  btBoxShape &link = MakeBox(world, 0.12, 0.25, 0.15), &bar = MakeBox(world, 0.25, 0.1, 0.1);
+  auto& ball = world.Make<btSphereShape>(btScalar(0.2));
+  for (int i = 0; i < kChildren; ++i) {
+    const auto side = [i](int bit) { return (i >> bit) % 2 == 0 ? -0.4 : 0.4; };
+    cube.addChildShape(At(Vec(side(0), side(1), side(2))), &MakeHull(world, random));
+    const btTransform turned = At(Vec(0, 0, 0), Turn(Vec(0, 0, 1), 2 * std::numbers::pi * i / kChildren));
+    ring.addChildShape(turned * At(Vec(0.6, 0, 0)), &link);
+    if (i >= 6) cross.addChildShape(At(Vec(0, i == 6 ? -0.3 : 0.3, 0.5)), &ball);
+  }
+  const btQuaternion to_y = Turn(Vec(0, 0, 1), std::numbers::pi / 2), to_z = Turn(Vec(0, 1, 0), std::numbers::pi / 2);
+  for (const double side : {-0.35, 0.35}) {
+    cross.addChildShape(At(Vec(side, 0, 0)), &bar);
+    cross.addChildShape(At(Vec(0, side, 0), to_y), &bar);
+    cross.addChildShape(At(Vec(0, 0, side), to_z), &bar);
+  }
+  const std::vector<btCollisionShape*> shapes = {&cube, &ring, &cross};
+  for (int i = 0; i < 300; ++i) {
+    world.Add(*shapes[static_cast<std::size_t>(i) % shapes.size()], 200, InTheAir(random, i));
+  }
+}
+
 /// The cell of a point among others within a box: the planes that are nearer to it, and what they bound.
 std::vector<btVector3> VoronoiCell(const std::vector<btVector3>& sites, std::size_t own, const btVector3& half,
                                    double margin) {
@@ -322,6 +351,7 @@ const std::vector<BigScene>& BigScenes() {
       {"ragdolls", "128 ragdolls of 11 capsules fall onto each other", BuildRagdolls},
       {"hulls_on_mesh", "500 hulls of 12 to 20 points fall onto a triangle mesh", BuildHullsOnMesh},
       {"mixed_on_terrain", "500 shapes of seven types fall onto a heightfield", BuildMixedOnTerrain},
+      {"compounds", "300 compounds of eight hulls, boxes or spheres fall onto each other", BuildCompounds},
       {"rubble", "a wall of 250 Voronoi cells, and a ball thrown at it", BuildRubble},
       {"heap", "2000 convex shapes of six types fall into a pit", BuildHeap},
       {"heap_1000_hulls", "1000 hulls of 12 to 20 points fall into a pit", BuildHullHeap<1000>},

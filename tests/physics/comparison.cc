@@ -13,10 +13,12 @@ constexpr int kNameWidth = 22;
 
 }  // namespace
 
-Comparison Compare(const Experiment& experiment, double rate, bool is_quick) {
-  Comparison comparison{&experiment, rate, {}, {}, {}};
-  comparison.builtin = experiment.measure({Narrowphase::kBuiltin, rate, is_quick});
-  comparison.ours = experiment.measure({Narrowphase::kOurs, rate, is_quick});
+Comparison Compare(const Experiment& experiment, Conditions conditions) {
+  Comparison comparison{&experiment, conditions.rate, {}, {}, {}};
+  conditions.narrowphase = Narrowphase::kBuiltin;
+  comparison.builtin = experiment.measure(conditions);
+  conditions.narrowphase = Narrowphase::kOurs;
+  comparison.ours = experiment.measure(conditions);
   return comparison;
 }
 

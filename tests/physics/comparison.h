@@ -21,7 +21,8 @@ struct Comparison {
   bool Passes() const { return OurError() <= Bound(); }
 };
 
-Comparison Compare(const Experiment& experiment, double rate, bool is_quick);
+/// @param conditions  Those of either run but for the narrowphase.
+Comparison Compare(const Experiment& experiment, Conditions conditions);
 
 /// All cases, then each group's if there are several: an error of the built-in's in one does not excuse ours in
 /// another.

@@ -15,6 +15,8 @@ struct Conditions {
   Narrowphase narrowphase = Narrowphase::kBuiltin;
   double rate = 60;       ///< Steps per second.
   bool is_quick = false;  ///< Fewer cases.
+  /// Whether each convex body's shape is the only child of a compound, static bodies' as well.
+  bool in_compounds = false;
 };
 
 /// One measured quantity of one case.

@@ -41,8 +41,8 @@ double BoundOf(const Comparison& comparison) {
 
 class ExperimentTest : public testing::TestWithParam<Experiment> {
  protected:
-  static void ExpectWithinBound(double rate) {
-    const Comparison comparison = Compare(GetParam(), rate, /*is_quick=*/true);
+  static void ExpectWithinBound(double rate, bool in_compounds = false) {
+    const Comparison comparison = Compare(GetParam(), {.rate = rate, .is_quick = true, .in_compounds = in_compounds});
     ASSERT_FALSE(comparison.ours.empty());
     ASSERT_EQ(comparison.ours.size(), comparison.builtin.size());
     EXPECT_LE(comparison.OurError(), BoundOf(comparison))
@@ -57,6 +57,10 @@ INSTANTIATE_TEST_SUITE_P(Physics, ExperimentTest, testing::ValuesIn(Experiments(
 TEST_P(ExperimentTest, At60Hz_ErrorIsWithinBound) { ExpectWithinBound(60); }
 TEST_P(ExperimentTest, At240Hz_ErrorIsWithinBound) { ExpectWithinBound(240); }
 TEST_P(ExperimentTest, At1000Hz_ErrorIsWithinBound) { ExpectWithinBound(1000); }
+
+// A compound of one child behaves as the child.
+TEST_P(ExperimentTest, InCompoundsAt60Hz_ErrorIsWithinBound) { ExpectWithinBound(60, true); }
+TEST_P(ExperimentTest, InCompoundsAt240Hz_ErrorIsWithinBound) { ExpectWithinBound(240, true); }
 
 // Chance has no part in it: a run can be repeated.
 TEST(Experiment, SameConditions_SameSamplesToTheBit) {

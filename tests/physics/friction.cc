@@ -193,7 +193,7 @@ Sample MeasureTorsion(const Conditions& conditions, const Block& block, double s
   lab.AddGround(block.ground);
   btRigidBody& body = AddBlock(lab, block);
   lab.Run(kSettleTime);
-  const auto& box = static_cast<const btBoxShape&>(*body.getCollisionShape());
+  const auto& box = static_cast<const btBoxShape&>(ShapeOf(body));
   const btVector3 half = box.getHalfExtentsWithMargin();
   const double arm = std::hypot(double(half.x()), double(half.y()));
   const double deceleration = block.friction * block.mass * kGravity * arm * double(body.getInvInertiaDiagLocal().z());

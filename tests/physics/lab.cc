@@ -88,7 +88,7 @@ std::string NameOf(Ground ground) {
 }
 
 Lab::Lab(const Conditions& conditions, double gravity)
-    : world_(RouteOf(conditions.narrowphase)), dt_(1 / conditions.rate) {
+    : world_(RouteOf(conditions.narrowphase)), dt_(1 / conditions.rate), in_compounds_(conditions.in_compounds) {
   world().setGravity(Vec(0, 0, -gravity));
 }
 
@@ -137,6 +137,11 @@ btConvexHullShape& Lab::MakePrism(int sides, double radius, double half_height, 
 
 btRigidBody& Lab::AddBody(btCollisionShape& shape, double mass, const btTransform& pose, Surface surface) {
   btRigidBody& body = world_.Add(shape, mass, pose);
+  if (in_compounds_ && shape.isConvex()) {
+    auto& compound = Make<btCompoundShape>();
+    compound.addChildShape(btTransform::getIdentity(), &shape);
+    body.setCollisionShape(&compound);  // The child's moment of inertia stays; a compound's own is that of a box.
+  }
   body.setFriction(btScalar(surface.friction));
   body.setRestitution(btScalar(surface.restitution));
   body.setActivationState(DISABLE_DEACTIVATION);
@@ -178,6 +183,11 @@ btCollisionShape& Lab::MakeGroundShape(Ground ground, const Grid& grid) {
   field.setLocalScaling(Vec(grid.pitch, grid.pitch, 1));
   field.setUseDiamondSubdivision(grid.alternates);
   return field;
+}
+
+btCollisionShape& ShapeOf(btRigidBody& body) {
+  btCollisionShape& shape = *body.getCollisionShape();
+  return shape.isCompound() ? *static_cast<btCompoundShape&>(shape).getChildShape(0) : shape;
 }
 
 btTransform At(const btVector3& position, const btQuaternion& rotation) { return btTransform(rotation, position); }

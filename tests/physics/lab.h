@@ -107,6 +107,7 @@ class Lab {
 
   dgd_test::TestWorld world_;
   double dt_;
+  bool in_compounds_;
 };
 
 btTransform At(const btVector3& position, const btQuaternion& rotation = btQuaternion::getIdentity());
@@ -122,6 +123,9 @@ void SetRolling(btRigidBody& body, double radius, double speed, double heading);
 double ExtentOf(const btConvexShape& shape, const btVector3& direction);
 /// How far it reaches down as it stands.
 inline double FootOf(const btConvexShape& shape) { return ExtentOf(shape, Vec(0, 0, -1)); }
+
+/// The shape that a body was made with, which may be the only child of a compound.
+btCollisionShape& ShapeOf(btRigidBody& body);
 
 inline btVector3 PositionOf(const btRigidBody& body) { return body.getWorldTransform().getOrigin(); }
 /// Height of the centre of mass.

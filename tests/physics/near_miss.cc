@@ -228,9 +228,8 @@ Sample MeasurePastEdge(const Conditions& conditions, const PastEdge& it) {
   constexpr double kMargin = 1e-3;  // m: its edge is nearly sharp, and the clearance not much larger than it says.
   const Grid grid = {.cells = 4, .pitch = 0.5};
   const btTransform frame = At(Vec(0, 0, 0), Yaw(HeadingOf(it.index)));
-  lab.AddGround(it.obstacle, frame * At(Vec(-0.5 * grid.cells * grid.pitch, 0.13, 0)), grid)
-      .getCollisionShape()
-      ->setMargin(btScalar(it.obstacle == Ground::kMesh ? 0 : kMargin));
+  ShapeOf(lab.AddGround(it.obstacle, frame * At(Vec(-0.5 * grid.cells * grid.pitch, 0.13, 0)), grid))
+      .setMargin(btScalar(it.obstacle == Ground::kMesh ? 0 : kMargin));
   const btVector3 along = quatRotate(frame.getRotation(), Vec(std::cos(it.slope), 0, -std::sin(it.slope)));
   const btVector3 normal = quatRotate(frame.getRotation(), Vec(std::sin(it.slope), 0, std::cos(it.slope)));
   btConvexShape& shape = lab.MakeForm(it.form, it.half);

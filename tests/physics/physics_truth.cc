@@ -25,7 +25,8 @@ bool Wants(const TruthOptions& options, const Experiment& experiment) {
 std::vector<std::vector<Comparison>> Rows(const TruthOptions& options, const Experiment& experiment) {
   std::vector<std::vector<Comparison>> rows;
   for (const double rate : options.rates) {
-    const std::vector<Comparison> column = WithGroups(Compare(experiment, rate, options.is_quick));
+    const std::vector<Comparison> column = WithGroups(
+        Compare(experiment, {.rate = rate, .is_quick = options.is_quick, .in_compounds = options.in_compounds}));
     rows.resize(column.size());
     for (std::size_t i = 0; i < column.size(); ++i) rows[i].push_back(column[i]);
   }
@@ -41,6 +42,7 @@ void WriteCsv(const std::filesystem::path& file, const std::vector<Comparison>& 
 ExitStatus Run(const TruthOptions& options) {
   std::printf("Bullet in %s; root mean square of relative errors against theory%s\n", kPrecision,
               options.is_quick ? ", some cases only" : "");
+  if (options.in_compounds) std::printf("Each convex body's shape is the only child of a compound.\n");
   std::printf("%s", FormatHeading(options.rates).c_str());
   std::vector<Comparison> all, judged;
   for (const Experiment& experiment : Experiments()) {

@@ -25,10 +25,10 @@ btQuaternion ToBullet(const Eigen::Quaterniond& q) {
 }
 
 /// Of a box, which is sharp, or of a hull.
-Solid SolidOf(const btRigidBody& body) {
+Solid SolidOf(btRigidBody& body) {
   Solid solid;
   solid.inertia = ToEigen(body.getInvInertiaDiagLocal()).cwiseInverse() * double(body.getInvMass());
-  const auto& shape = static_cast<const btPolyhedralConvexShape&>(*body.getCollisionShape());
+  const auto& shape = static_cast<const btPolyhedralConvexShape&>(ShapeOf(body));
   for (int i = 0; i < shape.getNumVertices(); ++i) {
     btVector3 corner;
     shape.getVertex(i, corner);

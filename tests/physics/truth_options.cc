@@ -54,6 +54,7 @@ std::variant<TruthOptions, ExitStatus> ParseCommandLine(int argc, const char* co
   for (const Experiment& experiment : Experiments()) names.emplace_back(experiment.name);
   dgd_demos::CommandLine line("physics_truth", kDescription, kFooter + ClassesInWords());
   line.AddFlag("--quick", options.is_quick, "Only some cases of each class");
+  line.AddFlag("--compounds", options.in_compounds, "Each convex body's shape is the only child of a compound");
   line.AddChoices("--classes", "A,B", options.classes, names, "Some of the classes below; default: all");
   line.AddNumbers("--rates", "HZ", options.rates, {1, kMaxRate}, "Steps per second");
   line.AddFlag("--cases", options.lists_cases, "Also prints each case");

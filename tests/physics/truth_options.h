@@ -18,6 +18,7 @@ struct TruthOptions {
   std::vector<std::string> classes;  ///< All if empty.
   std::vector<double> rates = {60, 240, 1000};
   bool is_quick = false;
+  bool in_compounds = false;
   bool lists_cases = false;
   std::filesystem::path csv;  ///< Empty for none.
 };

@@ -44,6 +44,16 @@ bool IsConvexOnPlane(int type_0, int type_1) {
          (type_0 == STATIC_PLANE_PROXYTYPE && IsConvexSolid(type_1));
 }
 
+/// Whose children are pairs that the dispatcher has algorithms for; only which of them are near is found by ours.
+bool IsOfCompounds(int type_0, int type_1) {
+  const auto may_meet_one = [](int type) {
+    return type == COMPOUND_SHAPE_PROXYTYPE || type < CONCAVE_SHAPES_START_HERE || IsMesh(type) ||
+           type == STATIC_PLANE_PROXYTYPE;
+  };
+  return (type_0 == COMPOUND_SHAPE_PROXYTYPE && may_meet_one(type_1)) ||
+         (type_1 == COMPOUND_SHAPE_PROXYTYPE && may_meet_one(type_0));
+}
+
 template <class Check>
 void ForAllTypes(const Check& check) {
   for (int type_0 = 0; type_0 < MAX_BROADPHASE_COLLISION_TYPES; ++type_0) {
@@ -98,7 +108,7 @@ TEST(Registration, Configuration_LeavesTheOtherPairsToBullet) {
     if (IsConvexSolid(type_0) && IsConvexSolid(type_1)) return;
     EXPECT_EQ(configuration.getCollisionAlgorithmCreateFunc(type_0, type_1) ==
                   configuration.btDefaultCollisionConfiguration::getCollisionAlgorithmCreateFunc(type_0, type_1),
-              !IsConvexOnMesh(type_0, type_1) && !IsConvexOnPlane(type_0, type_1));
+              !IsConvexOnMesh(type_0, type_1) && !IsConvexOnPlane(type_0, type_1) && !IsOfCompounds(type_0, type_1));
     EXPECT_EQ(configuration.getClosestPointsAlgorithmCreateFunc(type_0, type_1) ==
                   configuration.btDefaultCollisionConfiguration::getClosestPointsAlgorithmCreateFunc(type_0, type_1),
               !IsConvexOnPlane(type_0, type_1));
@@ -114,7 +124,7 @@ TEST(Registration, Dispatcher_CopiesTheConfigurationsTables) {
   });
 }
 
-TEST(Registration, Register_TakesEveryConvexPairMeshesAndPlanesAndNothingElse) {
+TEST(Registration, Register_TakesConvexPairsMeshesPlanesAndCompoundsAndNothingElse) {
   btDefaultCollisionConfiguration configuration;
   const OpenDispatcher before(&configuration);
   OpenDispatcher after(&configuration);
@@ -130,7 +140,7 @@ TEST(Registration, Register_TakesEveryConvexPairMeshesAndPlanesAndNothingElse) {
     } else {
       const bool is_plane = IsConvexOnPlane(type_0, type_1);
       EXPECT_EQ(after.Contact(type_0, type_1) == before.Contact(type_0, type_1),
-                !IsConvexOnMesh(type_0, type_1) && !is_plane);
+                !IsConvexOnMesh(type_0, type_1) && !is_plane && !IsOfCompounds(type_0, type_1));
       EXPECT_EQ(after.Closest(type_0, type_1) == before.Closest(type_0, type_1), !is_plane);
     }
   });

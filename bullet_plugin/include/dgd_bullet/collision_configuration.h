@@ -29,9 +29,10 @@ struct NarrowphaseOwner {
 
 /// A configuration of Bullet's, or an app's own, with the growth distance for every pair of convex types and for convex
 /// types on static planes, in the contact table and in the closest-points table; and in the contact table, for convex
-/// types on triangle meshes and heightfields, one that gathers the contacts of all triangles. Everything else
-/// (compounds, soft bodies, the two-dimensional types) is left to the base, and its setting for contacts on planes
-/// (setPlaneConvexMultipointIterations()) has no effect. As with any Bullet configuration, this object must outlive the
+/// types on triangle meshes and heightfields, one that gathers the contacts of all triangles, and for compounds, one
+/// that finds the children that may be in contact within the step. Everything else (soft bodies, the two-dimensional
+/// types) is left to the base, and its setting for contacts on planes (setPlaneConvexMultipointIterations()) has no
+/// effect. As with any Bullet configuration, this object must outlive the
 /// dispatcher, which copies the tables when it is made, and all its pairs.
 ///
 ///     dgd_bullet::CollisionConfigurationOf<btSoftBodyRigidBodyCollisionConfiguration> configuration;

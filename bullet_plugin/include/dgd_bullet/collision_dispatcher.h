@@ -33,10 +33,10 @@ struct DispatcherOptions {
 /// when a dispatch begins; what a callback changes of others counts from the next one on.
 ///
 /// Any Bullet will do for several threads: its pools and the list of manifolds are locked while pairs are shared.
-/// Shared are pairs of convex shapes, and of a convex shape and a plane, that this library solves, and those of such a
-/// shape and a compound of such shapes. All others come before them, on the calling thread: those of two compounds and
-/// of meshes, for which Bullet writes global counters without a lock, those of heightfields, and those of other
-/// algorithms (soft bodies, GImpact, an app's own).
+/// Shared are pairs of convex shapes, and of a convex shape and a plane, that this library solves, and those of
+/// compounds of such shapes. All others come before them, on the calling thread: those of meshes, for which Bullet
+/// writes global counters without a lock, those of heightfields, and those of other algorithms (soft bodies, GImpact, an
+/// app's own).
 ///
 /// Bullet's way, one pair after the other, is taken with a near callback of the app's; while the debug drawer draws;
 /// with DISPATCH_CONTINUOUS; with CD_DISABLE_CONTACTPOOL_DYNAMIC_ALLOCATION, where the order decides which pairs get

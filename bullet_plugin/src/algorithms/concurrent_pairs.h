@@ -15,6 +15,9 @@ inline namespace DGD_BULLET_PRECISION {
 /// they get from the dispatcher.
 struct ConcurrentCreateFunc : btCollisionAlgorithmCreateFunc {};
 
+/// Makes algorithms that may, if those that the dispatcher has for the types of all children may.
+struct CompoundCreateFunc : btCollisionAlgorithmCreateFunc {};
+
 /// A dispatcher's table.
 using CreateFuncs = btCollisionAlgorithmCreateFunc* [MAX_BROADPHASE_COLLISION_TYPES][MAX_BROADPHASE_COLLISION_TYPES];
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "algorithms/convex_convex_algorithm.h"
+#include "bound_part.h"
 #include "contact_range.h"
 #include "dgd/assert.h"
 #include "manifold/just_touching.h"
@@ -27,6 +28,7 @@
 #include "pair/separating_axis.h"
 #include "pair_motion.h"
 #include "report/contact_drawer.h"
+#include "swept_box.h"
 #include "user_query.h"
 
 namespace dgd_bullet {
@@ -100,8 +102,10 @@ class TriangleVisit final : public btTriangleCallback {
 
   /// All contacts that count. Throws std::bad_alloc.
   void Gather() {
-    FindBox();
-    static_cast<const btConcaveShape&>(*mesh_.getCollisionShape()).processAllTriangles(this, low_, high_);
+    const auto& mesh = static_cast<const btConcaveShape&>(*mesh_.getCollisionShape());
+    box_ = SweptBox(convex_, mesh_.getWorldTransform(), query_.motion,
+                    double(mesh.getMargin()) + query_.limits.patch_settings.contact_distance);
+    mesh.processAllTriangles(this, box_.low, box_.high);
     if (is_out_of_memory_) throw std::bad_alloc();
     step_.contacts.RemoveGhosts();
     if (query_.motion.MaxApproach() > query_.limits.range.touching) {
@@ -119,7 +123,7 @@ class TriangleVisit final : public btTriangleCallback {
   bool HasForeign() const { return has_foreign_; }
 
   void processTriangle(btVector3* corners, int part, int index) override {
-    if (is_out_of_memory_ || !TestTriangleAgainstAabb2(corners, low_, high_)) return;
+    if (is_out_of_memory_ || !TestTriangleAgainstAabb2(corners, box_.low, box_.high)) return;
     try {
       Visit(corners, part, index);
     } catch (const std::bad_alloc&) {
@@ -151,29 +155,8 @@ class TriangleVisit final : public btTriangleCallback {
     } else {
       // An app's own algorithm may rely on being new in each step.
       has_foreign_ = true;
-      const BoundTriangle bound(output_, triangle.wrapper());
+      const BoundPart bound(output_, triangle.wrapper());
       algorithm->processCollision(&convex_, &triangle.wrapper(), info_, &output_);
-    }
-  }
-
-  /// Finds the box of all places where the body may touch the mesh within the step.
-  void FindBox() {
-    const btTransform in_mesh = mesh_.getWorldTransform().inverseTimes(convex_.getWorldTransform());
-    convex_.getCollisionShape()->getAabb(in_mesh, low_, high_);
-    const btVector3 in_middle = btScalar(0.5) * (low_ + high_);
-    const btScalar margin =
-        mesh_.getCollisionShape()->getMargin() + btScalar(query_.limits.patch_settings.contact_distance);
-    const btVector3 half = btScalar(0.5) * (high_ - low_);
-    const btScalar radius = half.length();
-    const auto turn = btScalar(query_.motion.Turn().norm());
-    const Vector3 middle = FromBullet(mesh_.getWorldTransform() * in_middle);
-    for (int axis = 0; axis < 3; ++axis) {
-      const Vector3 direction = FromBullet(mesh_.getWorldTransform().getBasis().getColumn(axis));
-      const auto way = btScalar(query_.motion.Approach(middle, direction));
-      // Turning about its middle, the body never leaves a ball.
-      const btScalar out = margin + btMin(turn * radius, radius - half[axis]);
-      low_[axis] += btMin(way, btScalar(0)) - out;
-      high_[axis] += btMax(way, btScalar(0)) + out;
     }
   }
 
@@ -185,7 +168,7 @@ class TriangleVisit final : public btTriangleCallback {
     step_.triangles.back().has_patch = found.patch.size > 0;
     if (!failure) return step_.contacts.Add(index, found.patch, found.normal);
     if (!IsSolvedByBullet(*failure)) return;
-    const BoundTriangle bound(output_, triangle);
+    const BoundPart bound(output_, triangle);
     GatheringResult result(output_, query_.limits.range.touching, index, step_.contacts);
     algorithm.FallBack({convex_, triangle}, info_, result);
   }
@@ -226,7 +209,7 @@ class TriangleVisit final : public btTriangleCallback {
   MeshStep& step_;
   btManifoldResult& output_;
   bool has_foreign_ = false, is_out_of_memory_ = false;
-  btVector3 low_, high_;  // The convex body's bounding box, in the mesh's frame.
+  Box box_;  // The convex body's on its way, in the mesh's frame.
 };
 
 }  // namespace

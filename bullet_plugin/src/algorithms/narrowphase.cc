@@ -7,6 +7,7 @@
 #include <new>
 #include <utility>
 
+#include "algorithms/compound_algorithm.h"
 #include "algorithms/convex_convex_algorithm.h"
 #include "algorithms/convex_mesh_algorithm.h"
 #include "algorithms/convex_plane_algorithm.h"
@@ -50,11 +51,21 @@ bool Narrowphase::HandlesPlane(int convex_type, int plane_type) {
   return plane_type == STATIC_PLANE_PROXYTYPE && Handles(convex_type, BOX_SHAPE_PROXYTYPE);
 }
 
+bool Narrowphase::HandlesCompound(int type_0, int type_1) {
+  const auto handles = [](int type) {
+    return type == COMPOUND_SHAPE_PROXYTYPE || btBroadphaseProxy::isConvex(type) || type == STATIC_PLANE_PROXYTYPE ||
+           HandlesMesh(BOX_SHAPE_PROXYTYPE, type);
+  };
+  return (type_0 == COMPOUND_SHAPE_PROXYTYPE && handles(type_1)) ||
+         (type_1 == COMPOUND_SHAPE_PROXYTYPE && handles(type_0));
+}
+
 btCollisionAlgorithmCreateFunc* Narrowphase::ContactCreateFunc(int type_0, int type_1) {
   if (Handles(type_0, type_1)) return &contact_create_func_;
   if (HandlesPlane(type_0, type_1) || HandlesPlane(type_1, type_0)) return &plane_contact_create_func_;
   if (HandlesMesh(type_0, type_1)) return &mesh_create_func_;
   if (HandlesMesh(type_1, type_0)) return &swapped_mesh_create_func_;
+  if (HandlesCompound(type_0, type_1)) return &compound_create_func_;
   return nullptr;
 }
 
@@ -79,6 +90,12 @@ btCollisionAlgorithm* Narrowphase::MeshCreateFunc::CreateCollisionAlgorithm(btCo
                                                                             const btCollisionObjectWrapper* body_0,
                                                                             const btCollisionObjectWrapper* body_1) {
   return Make<ConvexMeshAlgorithm>(info, narrowphase, body_0, body_1, is_swapped);
+}
+
+btCollisionAlgorithm* Narrowphase::OfCompounds::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
+                                                                         const btCollisionObjectWrapper*,
+                                                                         const btCollisionObjectWrapper*) {
+  return Make<CompoundAlgorithm>(info, narrowphase);
 }
 
 }  // namespace DGD_BULLET_PRECISION

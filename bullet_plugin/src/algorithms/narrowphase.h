@@ -30,6 +30,9 @@ class Narrowphase : public SharedState {
   /// Whether it solves such a convex shape against a static plane.
   static bool HandlesPlane(int convex_type, int plane_type);
 
+  /// Whether it finds the children of compounds for such a pair, which go to what the dispatcher has for their types.
+  static bool HandlesCompound(int type_0, int type_1);
+
   /// What makes the algorithm of a pair of shape types, for the two tables of a dispatcher; null where that is left to
   /// Bullet.
   btCollisionAlgorithmCreateFunc* ContactCreateFunc(int type_0, int type_1);
@@ -55,11 +58,20 @@ class Narrowphase : public SharedState {
     const bool is_swapped;
   };
 
+  struct OfCompounds : CompoundCreateFunc {
+    explicit OfCompounds(const Narrowphase& shared) : narrowphase(shared) {}
+    btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
+                                                   const btCollisionObjectWrapper* body_0,
+                                                   const btCollisionObjectWrapper* body_1) override;
+    const Narrowphase& narrowphase;
+  };
+
   PairCreateFunc<ConvexConvexAlgorithm> contact_create_func_{*this, UsesMotion()};
   PairCreateFunc<ConvexConvexAlgorithm> closest_points_create_func_{*this, false};
   PairCreateFunc<ConvexPlaneAlgorithm> plane_contact_create_func_{*this, UsesMotion()};
   PairCreateFunc<ConvexPlaneAlgorithm> plane_closest_points_create_func_{*this, false};
   MeshCreateFunc mesh_create_func_{*this, false}, swapped_mesh_create_func_{*this, true};
+  OfCompounds compound_create_func_{*this};
 };
 
 }  // namespace DGD_BULLET_PRECISION

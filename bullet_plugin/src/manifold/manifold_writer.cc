@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "bound_part.h"
 #include "dgd/assert.h"
 #include "dgd_bullet/options.h"
 #include "finite_result.h"
@@ -193,7 +194,7 @@ void AddThroughBullet(std::span<const ManifoldContact> contacts, btManifoldResul
       output.addContactPoint(contact.normal_on_b, contact.on_b, contact.separation);
     } else {
       const TriangleBody triangle(*contact.triangle, *mesh);
-      const BoundTriangle bound(output, triangle.wrapper());
+      const BoundPart bound(output, triangle.wrapper());
       output.addContactPoint(contact.normal_on_b, contact.on_b, contact.separation);
     }
   }

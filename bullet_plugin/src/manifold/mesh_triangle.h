@@ -1,9 +1,7 @@
-// A triangle of a mesh, and how it takes the mesh's place in a result of Bullet: by that an app's callbacks identify
-// the triangle of a contact, as btAdjustInternalEdgeContacts() needs it.
+// A triangle of a mesh.
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
-#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
 
 #include <array>
@@ -35,37 +33,6 @@ class TriangleBody {
  private:
   btTriangleShape shape_;
   btCollisionObjectWrapper wrapper_;
-};
-
-/// Puts a triangle in the place of its mesh in a result, as long as this lives.
-class BoundTriangle {
- public:
-  BoundTriangle(btManifoldResult& output, const btCollisionObjectWrapper& triangle)
-      : output_(output), is_first_(output.getBody0Internal() == triangle.getCollisionObject()) {
-    mesh_ = is_first_ ? output.getBody0Wrap() : output.getBody1Wrap();
-    Bind(&triangle);
-    if (is_first_) {
-      output.setShapeIdentifiersA(triangle.m_partId, triangle.m_index);
-    } else {
-      output.setShapeIdentifiersB(triangle.m_partId, triangle.m_index);
-    }
-  }
-  ~BoundTriangle() { Bind(mesh_); }
-  BoundTriangle(const BoundTriangle&) = delete;
-  BoundTriangle& operator=(const BoundTriangle&) = delete;
-
- private:
-  void Bind(const btCollisionObjectWrapper* wrapper) {
-    if (is_first_) {
-      output_.setBody0Wrap(wrapper);
-    } else {
-      output_.setBody1Wrap(wrapper);
-    }
-  }
-
-  btManifoldResult& output_;
-  const bool is_first_;
-  const btCollisionObjectWrapper* mesh_;
 };
 
 }  // namespace DGD_BULLET_PRECISION
