@@ -35,8 +35,8 @@ struct DispatcherOptions {
 /// Any Bullet will do for several threads: its pools and the list of manifolds are locked while pairs are shared.
 /// Shared are pairs of convex shapes, and of a convex shape and a plane, that this library solves, and those of
 /// compounds of such shapes. All others come before them, on the calling thread: those of meshes, for which Bullet
-/// writes global counters without a lock, those of heightfields, and those of other algorithms (soft bodies, GImpact, an
-/// app's own).
+/// writes global counters without a lock, those of heightfields, and those of other algorithms (soft bodies, GImpact,
+/// an app's own).
 ///
 /// Bullet's way, one pair after the other, is taken with a near callback of the app's; while the debug drawer draws;
 /// with DISPATCH_CONTINUOUS; with CD_DISABLE_CONTACTPOOL_DYNAMIC_ALLOCATION, where the order decides which pairs get
