@@ -9,6 +9,7 @@
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
 #include <LinearMath/btAabbUtil2.h>
 
+#include <Eigen/Core>
 #include <optional>
 
 #include "algorithms/narrowphase.h"
@@ -16,6 +17,7 @@
 #include "contact_range.h"
 #include "mesh/triangle_pairs.h"
 #include "pair_motion.h"
+#include "prefetch.h"
 #include "swept_box.h"
 #include "user_query.h"
 
@@ -27,11 +29,25 @@ const btCompoundShape* AsCompound(const btCollisionShape& shape) {
   return shape.isCompound() ? static_cast<const btCompoundShape*>(&shape) : nullptr;
 }
 
+/// The product of two poses, to the last bit as Bullet computes it.
+btTransform Product(const btTransform& a, const btTransform& b) {
+  // Each row has four scalars, so that the compiler computes it at once.
+  using Rows = Eigen::Matrix<btScalar, 4, 3>;
+  const auto rows = [](const btTransform& pose) {
+    return Eigen::Map<const Rows, Eigen::Aligned16>(pose.getBasis()[0].m_floats);
+  };
+  btTransform product;
+  Eigen::Map<Rows, Eigen::Aligned16>(product.getBasis()[0].m_floats).noalias() =
+      rows(b).lazyProduct(rows(a).topRows<3>());
+  product.setOrigin(a(b.getOrigin()));
+  return product;
+}
+
 /// A child as a shape of its own, in its place.
 class ChildBody {
  public:
   ChildBody(const btCompoundShape& compound, int index, const btCollisionObjectWrapper& body)
-      : pose_(body.getWorldTransform() * compound.getChildTransform(index)),
+      : pose_(Product(body.getWorldTransform(), compound.getChildTransform(index))),
         wrapper_(&body, compound.getChildShape(index), body.getCollisionObject(), pose_, kNoPart, index) {}
   ChildBody(const ChildBody&) = delete;
   ChildBody& operator=(const ChildBody&) = delete;
@@ -163,6 +179,7 @@ CompoundAlgorithm::Content::Content(const btCollisionShape& shape)
 
 void CompoundAlgorithm::processCollision(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1,
                                          const btDispatcherInfo& info, btManifoldResult* output) {
+  if (const void* next = VisitingOrder::OfThisThread().Visit(this, place_)) Prefetch(next, sizeof(CompoundAlgorithm));
   const Content content_0(*body_0->getCollisionShape()), content_1(*body_1->getCollisionShape());
   if (content_0 != content_0_ || content_1 != content_1_) pairs_.Clear();
   content_0_ = content_0;

@@ -16,6 +16,7 @@
 
 #include "compound/child_pairs.h"
 #include "dgd_bullet/linkage.h"
+#include "visiting_order.h"
 
 class btCompoundShape;
 
@@ -55,7 +56,8 @@ class CompoundAlgorithm final : public btCollisionAlgorithm {
   const Narrowphase& narrowphase_;
   btPersistentManifold* const shared_manifold_;  // Null unless all children are to share one.
   ChildPairs pairs_;
-  Content content_0_, content_1_;  // Contents of the last call.
+  Content content_0_, content_1_;   // Contents of the last call.
+  VisitingOrder::Place place_ = 0;  // The last call's place in the thread's order of visits.
 };
 
 static_assert(sizeof(CompoundAlgorithm) <= 184, "must fit Bullet's smallest pool element");

@@ -17,7 +17,8 @@ btCollisionAlgorithm* ChildPairs::Find(int child, int other_child) {
     const std::size_t place = (next_ + i) % pairs_.size();
     Pair& pair = pairs_[place];
     if (pair.child != child || pair.other_child != other_child) continue;
-    pair.is_near = true;
+    if (pair.step != step_) ++near_;
+    pair.step = step_;
     next_ = place + 1;
     return pair.algorithm;
   }
@@ -26,31 +27,31 @@ btCollisionAlgorithm* ChildPairs::Find(int child, int other_child) {
 
 bool ChildPairs::Insert(int child, int other_child, btCollisionAlgorithm* algorithm) try {
   DGD_ASSERT(algorithm != nullptr && next_ <= pairs_.size());
-  pairs_.insert(pairs_.begin() + static_cast<std::ptrdiff_t>(next_), {child, other_child, algorithm, true});
+  pairs_.insert(pairs_.begin() + static_cast<std::ptrdiff_t>(next_), {child, other_child, algorithm, step_});
   ++next_;
+  ++near_;
   return true;
 } catch (const std::bad_alloc&) {
   return false;
 }
 
 void ChildPairs::EndStep() {
-  next_ = 0;
-  std::size_t kept = 0;
-  for (Pair& pair : pairs_) {
-    if (pair.is_near) {
-      pair.is_near = false;
-      pairs_[kept++] = pair;
-    } else {
+  DGD_ASSERT(near_ <= pairs_.size());
+  if (near_ < pairs_.size()) {
+    std::erase_if(pairs_, [&](const Pair& pair) {
+      if (pair.step == step_) return false;
       Destroy(dispatcher_, pair.algorithm);
-    }
+      return true;
+    });
   }
-  pairs_.resize(kept);
+  ++step_;
+  next_ = near_ = 0;
 }
 
 void ChildPairs::Clear() {
   for (const Pair& pair : pairs_) Destroy(dispatcher_, pair.algorithm);
   pairs_.clear();
-  next_ = 0;
+  next_ = near_ = 0;
 }
 
 void ChildPairs::AppendManifolds(btAlignedObjectArray<btPersistentManifold*>& manifolds) const {

@@ -4,6 +4,7 @@
 #include <LinearMath/btAlignedObjectArray.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "dgd_bullet/linkage.h"
@@ -42,12 +43,14 @@ class ChildPairs {
   struct Pair {
     int child, other_child;
     btCollisionAlgorithm* algorithm;
-    bool is_near;  // Whether it was found or inserted in this step.
+    std::uint32_t step;  // The last one in which it was found or inserted.
   };
 
   btDispatcher& dispatcher_;
   std::vector<Pair> pairs_;  // Pairs in the order in which they are visited.
   std::size_t next_ = 0;     // The place behind the last one that was found or inserted.
+  std::size_t near_ = 0;     // How many have been in this step.
+  std::uint32_t step_ = 0;
 };
 
 }  // namespace DGD_BULLET_PRECISION
