@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <new>
 #include <set>
 #include <utility>
 #include <vector>
@@ -193,6 +195,22 @@ TEST_P(Compounds, ExchangedForAnotherCompound_IsFollowed) {
   body.setCollisionShape(&boxes);
   world_.Detect();
   EXPECT_EQ(world_.Points().size(), 4U);
+}
+
+// As Bullet allocates nothing else, an app's allocator need not align to more than eight bytes.
+TEST_P(Compounds, InMemoryAlignedToEightBytes_Touch) {
+  world_.AddGround();
+  auto& memory = world_.Make<std::array<std::max_align_t, sizeof(btRigidBody) / sizeof(std::max_align_t) + 2>>();
+  btCompoundShape& row = MakeRow(2);
+  void* place = reinterpret_cast<char*>(memory.data()) + 8;
+  const btRigidBody::btRigidBodyConstructionInfo info(1, nullptr, &row, Vec(1, 1, 1));
+  btRigidBody& body = *new (place) btRigidBody(info);
+  body.setWorldTransform(At(0, 0, 0.099));
+  world_.world().addRigidBody(&body);
+  world_.Detect();
+  EXPECT_EQ(world_.Points().size(), 8U);
+  world_.world().removeRigidBody(&body);
+  body.~btRigidBody();
 }
 
 const btCollisionShape* excluded = nullptr;

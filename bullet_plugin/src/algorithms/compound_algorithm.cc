@@ -31,14 +31,11 @@ const btCompoundShape* AsCompound(const btCollisionShape& shape) {
 
 /// The product of two poses, to the last bit as Bullet computes it.
 btTransform Product(const btTransform& a, const btTransform& b) {
-  // Each row has four scalars, so that the compiler computes it at once.
+  // Each row has four scalars, so that the compiler computes it at once. Bullet aligns poses to a scalar only.
   using Rows = Eigen::Matrix<btScalar, 4, 3>;
-  const auto rows = [](const btTransform& pose) {
-    return Eigen::Map<const Rows, Eigen::Aligned16>(pose.getBasis()[0].m_floats);
-  };
+  const auto rows = [](const btTransform& pose) { return Eigen::Map<const Rows>(pose.getBasis()[0].m_floats); };
   btTransform product;
-  Eigen::Map<Rows, Eigen::Aligned16>(product.getBasis()[0].m_floats).noalias() =
-      rows(b).lazyProduct(rows(a).topRows<3>());
+  Eigen::Map<Rows>(product.getBasis()[0].m_floats).noalias() = rows(b).lazyProduct(rows(a).topRows<3>());
   product.setOrigin(a(b.getOrigin()));
   return product;
 }
