@@ -34,8 +34,8 @@ void Draw(const WorldSource& source, const std::vector<NamedRun>& runs, const Ru
 }  // namespace
 
 ExitStatus Run(const RunOptions& options) {
-  const StopSignals stop_signals;
   const WorldSource source({options.world, options.seed, options.duration, options.time_step});
+  const StopSignals stop_signals;  // What reads a world ends as any program does.
   for (const std::string& remark : source.remarks()) std::fprintf(stderr, "%s\n", remark.c_str());
   std::vector<NarrowphaseChoice> narrowphases;
   for (const std::string& name : options.narrowphases) narrowphases.push_back(NarrowphaseChoice::Named(name));
