@@ -25,7 +25,15 @@ std::vector<PairState> Describe(const btBroadphasePairArray& pairs) {
   return states;
 }
 
-void Rebuild(const std::vector<PairState>& states, btCollisionWorld& world) {
+void Check(const StateArchive& archive, const std::vector<PairState>& states, int objects) {
+  const auto is_index = [&](int index) { return 0 <= index && index < objects; };
+  for (const PairState& state : states) {
+    archive.Require(is_index(state.first) && is_index(state.second), "the index of a pair's body is out of range");
+    archive.Require(state.first != state.second, "a body has a pair with itself");
+  }
+}
+
+void Rebuild(const StateArchive& archive, const std::vector<PairState>& states, btCollisionWorld& world) {
   btOverlappingPairCache& cache = *world.getPairCache();
   auto& dispatcher = static_cast<btCollisionDispatcher&>(*world.getDispatcher());
   btBroadphasePairArray& pairs = cache.getOverlappingPairArray();
@@ -33,6 +41,8 @@ void Rebuild(const std::vector<PairState>& states, btCollisionWorld& world) {
 
   const auto proxy_of = [&](int index) { return world.getCollisionObjectArray().at(index)->getBroadphaseHandle(); };
   for (const PairState& state : states) cache.addOverlappingPair(proxy_of(state.first), proxy_of(state.second));
+  archive.Require(static_cast<std::size_t>(pairs.size()) == states.size(),
+                  "a pair is there twice, or of bodies that do not collide");
   for (int i = 0; i < pairs.size(); ++i) {
     if (states[static_cast<std::size_t>(i)].has_algorithm) {
       dispatcher.getNearCallback()(pairs[i], dispatcher, world.getDispatchInfo());
@@ -52,16 +62,37 @@ std::vector<btPersistentManifold*> ManifoldsByPair(const btBroadphasePairArray& 
   return manifolds;
 }
 
-// @param list  the dispatcher's manifolds, in the order in which the solver takes them.
-void SerializeManifold(StateArchive& archive, btPersistentManifold& manifold, btPersistentManifold** list) {
+void SerializeManifold(StateArchive& archive, btPersistentManifold& manifold) {
   int count = manifold.getNumContacts();
   archive.Serialize(count);
+  archive.Require(0 <= count && count <= MANIFOLD_CACHE_SIZE, "a number of contact points is out of range");
   if (archive.is_reading()) manifold.setNumContacts(count);
-  for (int i = 0; i < count; ++i) archive.SerializePlain(manifold.getContactPoint(i));
+  for (int i = 0; i < count; ++i) {
+    btManifoldPoint& point = manifold.getContactPoint(i);
+    archive.SerializePlain(point);
+    point.m_userPersistentData = nullptr;  // Nobody sets it here.
+  }
   archive.Serialize(manifold.m_companionIdA);
   archive.Serialize(manifold.m_companionIdB);
-  archive.Serialize(manifold.m_index1a);  // Place in the list.
-  list[manifold.m_index1a] = &manifold;
+}
+
+// The places of the manifolds in the dispatcher's list, whose order is that in which the solver takes them.
+void SerializePlaces(StateArchive& archive, const std::vector<btPersistentManifold*>& manifolds,
+                     btPersistentManifold** list) {
+  std::vector<int> places;
+  for (const btPersistentManifold* manifold : manifolds) places.push_back(manifold->m_index1a);
+  for (int& place : places) archive.Serialize(place);
+  if (!archive.is_reading()) return;
+  std::vector<bool> is_taken(places.size());
+  for (const int place : places) {
+    const auto index = static_cast<std::size_t>(place);  // Of a negative one, beyond all.
+    archive.Require(index < places.size() && !is_taken[index], "a manifold's place in the solver's order cannot be");
+    is_taken[index] = true;
+  }
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    manifolds[i]->m_index1a = places[i];
+    list[places[i]] = manifolds[i];
+  }
 }
 
 }  // namespace
@@ -70,14 +101,21 @@ void SerializeContacts(StateArchive& archive, btCollisionWorld& world) {
   btBroadphasePairArray& pairs = world.getPairCache()->getOverlappingPairArray();
   std::vector<PairState> states;
   if (!archive.is_reading()) states = Describe(pairs);
-  archive.Serialize(states, [&](PairState& state) { archive.Serialize(state); });
-  if (archive.is_reading()) Rebuild(states, world);
+  archive.Serialize(states, [&](PairState& state) {
+    archive.Serialize(state.first);
+    archive.Serialize(state.second);
+    archive.Serialize(state.has_algorithm);
+  });
+  if (archive.is_reading()) {
+    Check(archive, states, world.getNumCollisionObjects());
+    Rebuild(archive, states, world);
+  }
 
   const std::vector<btPersistentManifold*> manifolds = ManifoldsByPair(pairs);
   archive.Expect(manifolds.size(), "contact manifolds of pairs");
   archive.Expect(static_cast<std::uint64_t>(world.getDispatcher()->getNumManifolds()), "contact manifolds");
-  btPersistentManifold** const list = world.getDispatcher()->getInternalManifoldPointer();
-  for (btPersistentManifold* manifold : manifolds) SerializeManifold(archive, *manifold, list);
+  for (btPersistentManifold* manifold : manifolds) SerializeManifold(archive, *manifold);
+  SerializePlaces(archive, manifolds, world.getDispatcher()->getInternalManifoldPointer());
 }
 
 }  // namespace dgd_demos

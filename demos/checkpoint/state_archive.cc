@@ -5,6 +5,13 @@
 
 namespace dgd_demos {
 
+void StateArchive::Serialize(bool& value) {
+  auto byte = static_cast<unsigned char>(value);
+  SerializeBytes(&byte, 1);
+  Require(byte <= 1, "what is true or false is neither");
+  value = byte != 0;
+}
+
 void StateArchive::Serialize(std::string& text) {
   text.resize(SerializeCount(text.size()));
   SerializeBytes(text.data(), text.size());

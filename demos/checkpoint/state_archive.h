@@ -28,6 +28,8 @@ class StateArchive {
   template <class Value>
   requires std::is_trivially_copyable_v<Value>
   void Serialize(Value& value) { SerializeBytes(&value, sizeof value); }
+  /// @throws std::runtime_error also for a byte that is no value of bool.
+  void Serialize(bool& value);
   template <int kRows, int kColumns>
   void Serialize(Eigen::Matrix<double, kRows, kColumns>& matrix) {
     static_assert(kRows > 0 && kColumns > 0);
@@ -40,8 +42,12 @@ class StateArchive {
   /// The number of elements, and each of them by `serialize(element)`.
   template <class Value, class SerializeElement>
   void Serialize(std::vector<Value>& values, const SerializeElement& serialize) {
-    values.resize(SerializeCount(values.size()));
-    for (Value& value : values) serialize(value);
+    const std::size_t count = SerializeCount(values.size());
+    if (is_reading_) values.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+      if (is_reading_) values.emplace_back();  // No more of them than there are bytes for.
+      serialize(values[i]);
+    }
   }
   void Serialize(std::string& text);
 
@@ -49,6 +55,12 @@ class StateArchive {
   /// @param what  completes "it has 3 ..., not 4".
   /// @throws std::runtime_error if the number that was written is another one.
   void Expect(std::uint64_t number, const char* what);
+  /// Checks a value that was read, before anything depends on it: whoever wrote the bytes may have meant harm.
+  /// @param what  a sentence about a value that is not sound: "the index of a body is out of range".
+  /// @throws std::runtime_error unless it is sound.
+  void Require(bool is_sound, const char* what) const {
+    if (!is_sound) Fail(std::string("is damaged: ") + what);
+  }
   /// @throws std::runtime_error if there are bytes that were not read.
   void ExpectEnd() const;
   [[noreturn]] void Fail(const std::string& what) const;

@@ -3,15 +3,23 @@
 #include <BulletDynamics/Featherstone/btMultiBody.h>
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 
+#include <type_traits>
+
 #include "checkpoint/broadphase_state.h"
 #include "checkpoint/contact_state.h"
 
 namespace dgd_demos {
 namespace {
 
+constexpr int kLastActivationState = 6;  // FIXED_BASE_MULTI_BODY, which not every Bullet has.
+
 template <class Value, class Set>
 void SerializeValue(StateArchive& archive, Value value, const Set& set) {
-  archive.SerializePlain(value);
+  if constexpr (std::is_arithmetic_v<Value>) {
+    archive.Serialize(value);
+  } else {
+    archive.SerializePlain(value);
+  }
   if (archive.is_reading()) set(value);
 }
 
@@ -32,7 +40,10 @@ void SerializeObject(StateArchive& archive, btCollisionObject& object) {
                  [&](const btVector3& w) { object.setInterpolationAngularVelocity(w); });
   SerializeValue(archive, object.getHitFraction(), [&](btScalar fraction) { object.setHitFraction(fraction); });
   SerializeValue(archive, object.getDeactivationTime(), [&](btScalar time) { object.setDeactivationTime(time); });
-  SerializeValue(archive, object.getActivationState(), [&](int state) { object.forceActivationState(state); });
+  SerializeValue(archive, object.getActivationState(), [&](int state) {
+    archive.Require(ACTIVE_TAG <= state && state <= kLastActivationState, "a body's activation state is out of range");
+    object.forceActivationState(state);
+  });
 }
 
 void SerializeLink(StateArchive& archive, btMultiBody& multibody, int number) {
@@ -66,10 +77,12 @@ void SerializeConstraint(StateArchive& archive, btTypedConstraint& constraint) {
 
 void SerializeCollisionPoses(StateArchive& archive, btCollisionWorld& world, std::vector<btTransform>& poses) {
   archive.Serialize(poses, [&](btTransform& pose) { archive.SerializePlain(pose); });
+  archive.Require(poses.size() == static_cast<std::size_t>(world.getNumCollisionObjects()),
+                  "it has not one pose for each body");
   if (!archive.is_reading()) return;
   for (int i = 0; i < world.getNumCollisionObjects(); ++i) {
     btCollisionObject& object = *world.getCollisionObjectArray()[i];
-    object.setWorldTransform(poses.at(static_cast<std::size_t>(i)));
+    object.setWorldTransform(poses[static_cast<std::size_t>(i)]);
     object.forceActivationState(ACTIVE_TAG);
   }
 }

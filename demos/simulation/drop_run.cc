@@ -91,6 +91,7 @@ DropRun WorldRun::Result() const {
 
 void WorldRun::Serialize(StateArchive& archive) {
   tally_.Serialize(archive);
+  archive.Require(0 <= tally_.steps() && tally_.steps() <= step_count_, "the number of steps is out of range");
   oracle_.Serialize(archive);
   archive.Serialize(wall_time_);
   archive.Serialize(snapshots_, [&](Snapshot& snapshot) {
@@ -100,7 +101,11 @@ void WorldRun::Serialize(StateArchive& archive) {
       archive.Serialize(pose.position);
     });
     archive.Serialize(snapshot.speeds, [&](double& speed) { archive.Serialize(speed); });
+    const std::size_t bodies = world_.Bodies().size();
+    archive.Require(snapshot.poses.size() == bodies && snapshot.speeds.size() == bodies,
+                    "a picture has not one pose and one speed for each body");
   });
+  archive.Require(snapshots_.size() <= settings_.snapshots.size(), "it has too many pictures");
   std::string failure = failure_.value_or("");
   archive.Serialize(failure);
   if (!failure.empty()) failure_ = failure;

@@ -104,6 +104,7 @@ void Tally::Serialize(StateArchive& archive) {
   archive.Serialize(oracle_steps_);
   archive.Serialize(sum_of_squared_speeds_);
   archive.Serialize(speeds_);
+  archive.Require(0 <= oracle_steps_ && oracle_steps_ <= sums_.steps && 0 <= speeds_, "a count is out of range");
 }
 
 }  // namespace dgd_demos
