@@ -119,19 +119,16 @@ void Rebuild(btDbvt& tree, const std::vector<NodeState>& states, const Proxies& 
   tree.clear();
   std::vector<btDbvtNode*> open;  // Those that lack a subtree, the next one last.
   for (const NodeState& state : states) {
-    auto* const node = new (btAlignedAlloc(sizeof(btDbvtNode), 16)) btDbvtNode{};  // As the tree frees them.
-    node->volume = state.volume;
-    if (open.empty()) {
+    void* const place = btAlignedAlloc(sizeof(btDbvtNode), 16);  // As the tree frees them.
+    btDbvtNode* const parent = open.empty() ? nullptr : open.back();
+    auto* const node = new (place) btDbvtNode{state.volume, parent, {}};
+    if (parent == nullptr) {
       tree.m_root = node;
+    } else if (parent->childs[0] == nullptr) {
+      parent->childs[0] = node;
     } else {
-      node->parent = open.back();
-      btDbvtNode*& first = open.back()->childs[0];
-      if (first == nullptr) {
-        first = node;
-      } else {
-        open.back()->childs[1] = node;
-        open.pop_back();
-      }
+      parent->childs[1] = node;
+      open.pop_back();
     }
     if (state.leaf == kNone) {
       open.push_back(node);

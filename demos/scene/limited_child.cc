@@ -49,15 +49,18 @@ void LimitMemory(std::uint64_t memory) {
 }
 
 // Nothing that this process does about signals and output is for its child.
-void Isolate(pid_t parent) {
+// @return the pipe, beside the standard streams, which may have been closed when it was made.
+int Isolate(pid_t parent, int pipe) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(kCannotSend);  // It ended before the line above.
   for (int number = 1; number < NSIG; ++number) std::signal(number, SIG_DFL);
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
+  const int beside = fcntl(pipe, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
   const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
+  return beside;
 }
 
 bool Send(int pipe, const void* bytes, std::size_t size) {
@@ -98,8 +101,8 @@ class Child {
     const pid_t parent = getpid();
     process_ = fork();
     if (process_ == 0) {
-      Isolate(parent);
-      Work(work, limits, ends[1]);
+      const int pipe = Isolate(parent, ends[1]);
+      Work(work, limits, pipe);
     }
     const int error = errno;
     pipe_ = ends[0];
