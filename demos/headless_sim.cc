@@ -91,6 +91,7 @@ int RunBySiblings(const RunOptions& options, const std::vector<std::string>& arg
     std::vector<std::string> in_precision = arguments;
     // The last of several counts.
     in_precision.insert(in_precision.end(), {"--precision", precision, "--out", out.string()});
+    if (options.overwrite) in_precision.push_back("--overwrite");
     worst = std::max(worst, RunAndWait(ProgramFor(precision), in_precision));
   }
   return worst;

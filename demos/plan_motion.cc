@@ -21,6 +21,7 @@
 #include "report/execution_csv.h"
 #include "report/output_folder.h"
 #include "report/progress_bar.h"
+#include "scene/world_hash.h"
 
 namespace dgd_demos {
 namespace {
@@ -48,13 +49,26 @@ class ProgressDisplay {
   std::optional<ProgressBar> bar_;
 };
 
+constexpr const char* kPlanFiles[] = {"path_found.csv",      "path_simplified.csv", "path_smoothed.csv", "path.png",
+                                      "path_other_side.png", "execution.csv",       "execution.png"};
+
+Results ResultsOf(const PlanMotionOptions& options) {
+  return {options.out,
+          "plan.json",
+          {{"scene", options.scene.filename().string() + " " + HashOfWorld(options.scene)},
+           {"--planner", options.planner == PlannerKind::kRrt ? "rrt" : "rrt_connect"},
+           {"--time-limit", options.time_limit},
+           {"--seed", options.seed},
+           {"--seeds", options.seeds}},
+          [](const std::string& name) {
+            return name == "runs.csv" || name == "comparison.csv" || std::ranges::count(kPlanFiles, name) > 0;
+          }};
+}
+
 void WritePaths(const PlanRun& run, const CollisionModel& model, const std::filesystem::path& folder) {
   MakeOutputFolder(folder);
   // Whatever an earlier run has left is not of this one.
-  for (const char* name : {"path_found.csv", "path_simplified.csv", "path_smoothed.csv", "path.png",
-                           "path_other_side.png", "execution.csv", "execution.png"}) {
-    std::filesystem::remove(folder / name);
-  }
+  for (const char* name : kPlanFiles) std::filesystem::remove(folder / name);
   if (!run.found.empty()) WritePathCsv(folder / "path_found.csv", model, run.found);
   if (run.failure) return;
   WritePathCsv(folder / "path_simplified.csv", model, run.simplified);
@@ -125,7 +139,7 @@ ExitStatus Run(const PlanMotionOptions& options) {
     std::fprintf(stderr, "%s: %s\n", scene.file.c_str(), collision->c_str());
     return kNoPath;
   }
-  MakeOutputFolder(options.out);
+  ClaimFolder(ResultsOf(options), options.overwrite);
   RunsCsv csv(options.out / "runs.csv");
   std::vector<PlanRun> runs;
   std::vector<Configuration> visited;

@@ -52,12 +52,15 @@ Written into DIR (with --seeds N: paths and pictures into DIR/seed_1, ...):
   execution.csv          one row a step: angles, velocities and efforts, flange, tracking error
   execution.png          the arm at six moments of the execution
   comparison.csv         with --compare
+  plan.json              what the results are of. Those of another run in DIR are refused, or replaced with
+                         --overwrite, and always in the folder "out/motion", unless you name it
 
 The same seed gives the same path, unless the time limit ends a search.
 
 Exit status: 0 all runs have a plan and were carried out; 1 one has none, or start or goal is in collision; 2 wrong command line or
 scene file (a limit exceeded, an unknown joint), or the output cannot be written.)";
 
+constexpr const char* kDefaultFolder = "out/motion";
 constexpr const char* kDefaultScene = "scenes/ur5e_five_obstacles.json";
 constexpr int kMaxSeeds = 10'000;
 constexpr Limits<double> kTimeLimit = {1e-3, 3600};  // s
@@ -72,7 +75,7 @@ std::variant<PlanMotionOptions, ExitStatus> ParseCommandLine(int argc, const cha
 
   CommandLine line("plan_motion", kDescription, kFooter);
   line.AddPath("--scene", "FILE", options.scene, "Scene file (JSON)");
-  line.AddPath("--out", "DIR", options.out, "Folder for the results; made if missing");
+  AddOutOption(line, options.out, options.overwrite, kDefaultFolder);
   line.AddChoice("--planner", "WHICH", planner, {"rrt_connect", "rrt"}, "rrt_connect or rrt");
   line.AddSeed(options.seed, "Seed of the search");
   line.AddNumber("--seeds", "N", options.seeds, {1, kMaxSeeds}, "Runs, with this seed and those after it");
@@ -81,6 +84,7 @@ std::variant<PlanMotionOptions, ExitStatus> ParseCommandLine(int argc, const cha
   line.AddFlag("--no-picture", no_picture, "Draw no pictures");
   if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
   options.planner = planner == "rrt" ? PlannerKind::kRrt : PlannerKind::kRrtConnect;
+  CompleteOut(options.out, options.overwrite, kDefaultFolder);
   options.draws = !no_picture;
   return options;
 }

@@ -12,7 +12,8 @@ namespace dgd_demos {
 
 struct PlanMotionOptions {
   std::filesystem::path scene;
-  std::filesystem::path out = "out/motion";
+  std::filesystem::path out;
+  bool overwrite = false;  ///< Replaces results of another run in `out`.
   PlannerKind planner = PlannerKind::kRrtConnect;
   std::uint64_t seed = 1;
   int seeds = 1;          ///< Runs, with this seed and the ones that follow it.

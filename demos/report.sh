@@ -38,6 +38,8 @@ if [ "$must_build" = yes ]; then
 fi
 
 bench=$build_dir/tests/bench data=$out/data
+[ ! -e "$data/machine.txt" ] || echo "$out: had the results of another report; replaced" >&2
+[ -z "$(find "$out/" -type l 2>/dev/null)" ] || fail "$out has links in it, and nothing is written through links"
 mkdir -p "$data"
 vertex_counts=vertices-8,vertices-32,vertices-128,vertices-512,vertices-2048,vertices-4096
 "$bench/solution_times" --tolerances --pairs "$pairs" --poses "$poses" --csv "$data/solution_times.csv" \
@@ -52,7 +54,7 @@ for precision in float float64; do
   while [ "$seed" -le "$seeds" ]; do
     options=--no-snapshots
     [ "$seed" -gt 1 ] || options=--record # and pictures
-    "$build_dir/demos/polytope_drop$suffix" --seed "$seed" --duration "$seconds" $options \
+    "$build_dir/demos/polytope_drop$suffix" --seed "$seed" --duration "$seconds" $options --overwrite \
       --out "$data/drop/$precision/seed_$seed" >"$data/drop_$precision.txt"
     seed=$((seed + 1))
   done

@@ -25,6 +25,17 @@ void AddDurationOption(CommandLine& line, std::optional<double>& duration) {
   line.AddNumber("--duration", "S", duration, kAnyNumber, "Simulated time in s, in place of the scene's");
 }
 
+void AddOutOption(CommandLine& line, std::filesystem::path& out, bool& overwrite, const std::string& default_folder) {
+  line.AddPath("--out", "DIR", out, "Folder for the results; made if missing. Default: " + default_folder);
+  line.AddFlag("--overwrite", overwrite, "Replace the results of another run in DIR");
+}
+
+void CompleteOut(std::filesystem::path& out, bool& overwrite, const std::string& default_folder) {
+  if (!out.empty()) return;
+  out = default_folder;
+  overwrite = true;
+}
+
 void AddOracleEveryOption(CommandLine& line, int& oracle_every) {
   line.AddNumber("--oracle-every", "N", oracle_every, {1, kMaxOracleEvery},
                  "Steps from one computation of the true penetration to the next");

@@ -27,6 +27,11 @@ inline constexpr const char* kNoSuchScene =
 /// Adds --duration.
 void AddDurationOption(CommandLine& line, std::optional<double>& duration);
 
+/// Adds --out and --overwrite.
+void AddOutOption(CommandLine& line, std::filesystem::path& out, bool& overwrite, const std::string& default_folder);
+/// After parsing. The default folder has what was made last: what others have left there is replaced.
+void CompleteOut(std::filesystem::path& out, bool& overwrite, const std::string& default_folder);
+
 inline constexpr int kMaxOracleEvery = 1'000'000;  ///< Steps.
 
 /// Adds --oracle-every.

@@ -1,6 +1,7 @@
 #include "checkpoint/continued_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -17,6 +18,16 @@ namespace {
 // Enough to tell another run's file, and soon read of a file of any size.
 constexpr std::uint64_t kHashedEnd = 1 << 16;  // Bytes.
 
+// A regular file that is no link; below 0 if there is none.
+int OpenToContinue(const std::filesystem::path& file) {
+  const int descriptor = open(file.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  struct stat status = {};
+  if (descriptor < 0 || (fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode))) return descriptor;
+  close(descriptor);
+  errno = EINVAL;
+  return -1;
+}
+
 // Of the bytes before `size`, without those of the head; empty if they cannot be read.
 std::string HashOfEnd(int descriptor, std::uint64_t size, std::uint64_t head) {
   const std::uint64_t begin = std::max(head, size - std::min(size, kHashedEnd));
@@ -27,8 +38,14 @@ std::string HashOfEnd(int descriptor, std::uint64_t size, std::uint64_t head) {
 
 }  // namespace
 
+std::FILE* OpenFile(const std::filesystem::path& file, OpenMode mode) {
+  if (mode == OpenMode::kCreate) return CreateFile(file);
+  const int descriptor = OpenToContinue(file);
+  return descriptor < 0 ? nullptr : fdopen(descriptor, "r+b");
+}
+
 std::uint64_t SerializeContinuedFile(StateArchive& archive, const std::filesystem::path& file, std::uint64_t head) {
-  const int descriptor = open(file.c_str(), O_RDWR | O_CLOEXEC);
+  const int descriptor = OpenToContinue(file);
   const auto fail = [&](const std::string& reason) {
     if (descriptor >= 0) close(descriptor);
     archive.Fail(file.string() + " cannot be continued: " + reason);
@@ -37,6 +54,7 @@ std::uint64_t SerializeContinuedFile(StateArchive& archive, const std::filesyste
   const auto size_there = static_cast<std::uint64_t>(lseek(descriptor, 0, SEEK_END));
   std::uint64_t size = size_there;
   archive.Serialize(size);
+  if (size < head) fail("it was shorter than its head at the checkpoint");
   if (size > size_there) fail("it is shorter than it was at the checkpoint");
   const std::string hash_there = HashOfEnd(descriptor, size, head);
   std::string hash = hash_there;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 
 #include "checkpoint/state_archive.h"
@@ -9,9 +10,13 @@
 namespace dgd_demos {
 
 enum class OpenMode {
-  kCreate,    ///< Creates or overwrites the file.
+  kCreate,    ///< As CreateFile().
   kContinue,  ///< Leaves it as it is, until Serialize() cuts off what was written after the checkpoint.
 };
+
+/// Opens a file for writing at any place: a new one, or one that is there and is no link.
+/// @return null, with the reason in errno, if it cannot be opened.
+std::FILE* OpenFile(const std::filesystem::path& file, OpenMode mode);
 
 /// Writing: waits until the file is on the disk, and adds its size and a hash of its end. Reading: cuts the file to
 /// that size.

@@ -14,26 +14,30 @@ std::string TextOf(double number) {
   return {digits.data(), std::to_chars(digits.begin(), digits.end(), number).ptr};
 }
 
-CsvFile::CsvFile(const std::filesystem::path& file, OpenMode mode) : file_(file) {
-  if (mode == OpenMode::kContinue && !std::filesystem::exists(file)) {  // Else it would be made.
-    throw std::runtime_error(file.string() + ": cannot be continued: it does not exist");
-  }
-  stream_.open(file, mode == OpenMode::kCreate ? std::ios::out : std::ios::out | std::ios::app);
-  CheckWritten();
+CsvFile::CsvFile(const std::filesystem::path& file, OpenMode mode) : file_(file), stream_(OpenFile(file, mode)) {
+  if (stream_ == nullptr) Fail(mode == OpenMode::kCreate ? "written" : "continued");
+  if (std::fseek(stream_, 0, SEEK_END) != 0) Fail("written");
+}
+
+CsvFile::~CsvFile() { std::fclose(stream_); }
+
+CsvFile& CsvFile::operator<<(std::string_view text) {
+  std::fwrite(text.data(), 1, text.size(), stream_);  // Flush() tells whether it could.
+  return *this;
 }
 
 void CsvFile::Flush() {
-  stream_.flush();
-  CheckWritten();
+  if (std::fflush(stream_) != 0 || std::ferror(stream_) != 0) Fail("written");
 }
 
 void CsvFile::Serialize(StateArchive& archive) {
   Flush();
   SerializeContinuedFile(archive, file_);
+  if (std::fseek(stream_, 0, SEEK_END) != 0) Fail("continued");
 }
 
-void CsvFile::CheckWritten() const {
-  if (!stream_) throw std::runtime_error(file_.string() + ": cannot be written: " + std::strerror(errno));
+void CsvFile::Fail(const char* action) const {
+  throw std::runtime_error(file_.string() + ": cannot be " + action + ": " + std::strerror(errno));
 }
 
 }  // namespace dgd_demos

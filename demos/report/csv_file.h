@@ -2,9 +2,10 @@
 #pragma once
 
 #include <concepts>
+#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <string>
+#include <string_view>
 
 #include "checkpoint/continued_file.h"
 
@@ -18,13 +19,18 @@ class CsvFile {
   /// @throws std::runtime_error with the reason if it cannot be written.
   explicit CsvFile(const std::filesystem::path& file, OpenMode mode = OpenMode::kCreate);
 
+  ~CsvFile();
+  CsvFile(const CsvFile&) = delete;
+  CsvFile& operator=(const CsvFile&) = delete;
+
   CsvFile& operator<<(double number) { return *this << TextOf(number); }
-  /// Adds anything else, text as it is.
-  template <class Text>
-  requires(!std::floating_point<Text>) CsvFile& operator<<(const Text& text) {
-    stream_ << text;
-    return *this;
+  template <std::integral Integer>
+  CsvFile& operator<<(Integer number) {
+    return *this << std::to_string(number);
   }
+  CsvFile& operator<<(char letter) { return *this << std::string_view(&letter, 1); }
+  /// Adds text as it is.
+  CsvFile& operator<<(std::string_view text);
 
   /// Hands what was written to the operating system.
   /// @throws std::runtime_error if that fails, as on a full disk.
@@ -33,10 +39,10 @@ class CsvFile {
   void Serialize(StateArchive& archive);
 
  private:
-  void CheckWritten() const;
+  [[noreturn]] void Fail(const char* action) const;
 
   std::filesystem::path file_;
-  std::ofstream stream_;
+  std::FILE* stream_;
 };
 
 }  // namespace dgd_demos

@@ -1,5 +1,6 @@
 #include "report/npy_file.h"
 
+#include <algorithm>
 #include <bit>
 #include <cerrno>
 #include <cstring>
@@ -20,7 +21,7 @@ NpyFile::NpyFile(const std::filesystem::path& file, std::vector<Column> columns,
                  OpenMode mode)
     : file_(file), columns_(std::move(columns)), rows_of_a_record_(rows_of_a_record) {
   for (const Column& column : columns_) row_size_ += kNumberSize * static_cast<std::size_t>(column.size);
-  stream_ = std::fopen(file.c_str(), mode == OpenMode::kCreate ? "wb" : "r+b");
+  stream_ = OpenFile(file, mode);
   if (stream_ == nullptr) Fail(mode == OpenMode::kCreate ? "written" : "continued");
   if (mode == OpenMode::kCreate) Flush();
 }
@@ -88,6 +89,8 @@ void NpyFile::Flush() {
 void NpyFile::Serialize(StateArchive& archive) {
   if (!archive.is_reading()) Flush();
   written_ = SerializeContinuedFile(archive, file_, kHeadSize) - kHeadSize;
+  const std::size_t record = row_size_ * std::max<std::size_t>(rows_of_a_record_, 1);
+  archive.Require(written_ % record == 0, "a file ended within a record");
   Flush();
 }
 

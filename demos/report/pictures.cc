@@ -157,6 +157,11 @@ std::vector<std::string> PictureNames(const std::vector<double>& times) {
   return names;
 }
 
+bool IsPictureName(std::string_view name) {
+  return name.starts_with('t') && name.ends_with("s.png") &&
+         name.find_first_not_of("0123456789.", 1) == name.size() - std::string_view("s.png").size();
+}
+
 std::string TimeText(double time) {
   std::array<char, 64> text;
   std::snprintf(text.data(), text.size(), "t = %.2f s", time);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "report/world_view.h"
@@ -31,6 +32,7 @@ void WritePictures(const WorldView& view, std::optional<std::uint64_t> seed, con
 
 /// Names for pictures at these times, s: "t00.50s.png", with as many decimals as it takes to tell them apart.
 std::vector<std::string> PictureNames(const std::vector<double>& times);
+bool IsPictureName(std::string_view name);
 
 /// "t = 0.50 s", for subtitles.
 std::string TimeText(double time);

@@ -1,10 +1,11 @@
 #include "report/whole_file.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -18,6 +19,22 @@ constexpr const char* kPartExtension = ".part";
 
 }  // namespace
 
+std::FILE* CreateFile(const std::filesystem::path& file) {
+  using Type = std::filesystem::file_type;
+  const Type there = std::filesystem::symlink_status(file).type();
+  if (there == Type::directory) {
+    errno = EISDIR;
+    return nullptr;
+  }
+  if (there != Type::not_found && there != Type::regular) {
+    throw std::runtime_error(file.string() + ": is a link, a pipe or a device, which is not written to");
+  }
+  if (there == Type::regular && unlink(file.c_str()) != 0) return nullptr;
+  constexpr mode_t kAsTheUserWants = 0666;  // Less the umask.
+  const int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kAsTheUserWants);
+  return descriptor < 0 ? nullptr : fdopen(descriptor, "w+b");
+}
+
 void WriteWholeFile(const std::filesystem::path& file, std::string_view content) {
   // Processes of several machines may write the same file at once.
   char host[256] = {};
@@ -28,7 +45,7 @@ void WriteWholeFile(const std::filesystem::path& file, std::string_view content)
     std::remove(part.c_str());
     throw std::runtime_error(file.string() + ": cannot be written: " + reason);
   };
-  std::FILE* stream = std::fopen(part.c_str(), "wb");
+  std::FILE* stream = CreateFile(part);
   if (stream == nullptr) fail();
   const bool is_written = std::fwrite(content.data(), 1, content.size(), stream) == content.size() &&
                           std::fflush(stream) == 0 && fsync(fileno(stream)) == 0;
@@ -63,6 +80,16 @@ std::string HashOf(std::string_view content) {
   char digits[17];
   std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
   return digits;
+}
+
+std::string HashOfSizeAndEnd(const std::filesystem::path& file) {
+  constexpr std::uintmax_t kMost = 1 << 16;  // Bytes.
+  const std::uintmax_t size = std::filesystem::file_size(file);
+  std::ifstream stream(file, std::ios::binary);
+  stream.seekg(static_cast<std::streamoff>(size - std::min(size, kMost)));
+  const std::string end{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream) throw std::runtime_error(file.string() + ": cannot be read");
+  return std::to_string(size) + " bytes " + HashOf(end);
 }
 
 }  // namespace dgd_demos

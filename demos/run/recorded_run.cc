@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <utility>
 
 #include "checkpoint/checkpoint_file.h"
@@ -47,7 +48,7 @@ SampleFiles::SampleFiles(const RunOptions& options, const std::string& name, Sim
 
 void SampleFiles::AddIfDue(double time) {
   // Half a step early rather than a whole one late.
-  if (time + world_.time_step() / 2 < interval_ * static_cast<double>(count_ + 1)) return;
+  if (time + world_.time_step() / 2 < interval_ * (static_cast<double>(count_) + 1)) return;
   ++count_;
   if (trajectory_) trajectory_->Add(time, world_);
   if (contacts_) contacts_->Add(time, world_);
@@ -77,7 +78,12 @@ RecordedRun::RecordedRun(const WorldSource& source, const NarrowphaseChoice& nar
            {options.world.string(), options.seed, narrowphase.Name(), BulletPrecision(), DGD_DEMOS_BUILD_TYPE}, mode_),
       samples_(options, name_, *world_, mode_) {
   RemoveParts(checkpoint_file_);
-  if (options.record) recorder_.emplace((options.out / (name_ + ".rec")).string());
+  if (options.record) {
+    const std::filesystem::path file = options.out / (name_ + ".rec");
+    // The recorder would write through a link.
+    if (std::FILE* const stream = CreateFile(file)) std::fclose(stream);
+    recorder_.emplace(file.string());
+  }
   run_.emplace(*world_, RunSettings{duration_, options.oracle_every, source.snapshots()},
                recorder_ ? &*recorder_ : nullptr);
   if (checkpoint_) {

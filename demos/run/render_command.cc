@@ -16,9 +16,11 @@
 #include "report/output_folder.h"
 #include "report/pictures.h"
 #include "report/progress_bar.h"
+#include "report/whole_file.h"
 #include "run/trajectory_reader.h"
 #include "run/world_source.h"
 #include "scene/scene_error.h"
+#include "scene/world_hash.h"
 
 namespace dgd_demos {
 namespace {
@@ -119,6 +121,19 @@ Frame FrameOf(const std::vector<Picture>& pictures, const WorldView& view, Traje
   return {FrameAll(WithSurroundings(std::move(balls), view.bodies, state), aspect), fastest};
 }
 
+bool IsFileOfRender(const std::string& name) {
+  return IsPictureName(name) || (name.starts_with("frame_") && name.ends_with(".png"));
+}
+
+Results ResultsOf(const RenderOptions& options) {
+  return {options.out,
+          "render.json",
+          {{"world", options.world.filename().string() + " " + HashOfWorld(options.world)},
+           {"trajectory", options.trajectory.filename().string() + " " + HashOfSizeAndEnd(options.trajectory)},
+           {"--seed", options.seed}},
+          IsFileOfRender};
+}
+
 }  // namespace
 
 ExitStatus Render(const RenderOptions& options) {
@@ -128,7 +143,7 @@ ExitStatus Render(const RenderOptions& options) {
   const std::vector<double> times = options.times.empty() ? DefaultTimes(source, trajectory) : options.times;
   const std::vector<Picture> pictures =
       options.every ? FramesEvery(*options.every, trajectory) : MomentsAt(times, trajectory);
-  MakeOutputFolder(options.out);
+  ClaimFolder(ResultsOf(options), options.overwrite);
 
   const WorldView view = source.View();
   const Frame frame = FrameOf(pictures, view, trajectory, static_cast<double>(options.width) / options.height);

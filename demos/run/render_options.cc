@@ -6,6 +6,7 @@
 
 #include "command_line.h"
 #include "run/run_options.h"
+#include "scene_options.h"
 
 namespace dgd_demos {
 namespace {
@@ -28,10 +29,14 @@ gravity there, and z in scenes.
 
 Written into DIR:
   t00.50s.png, ...              one for each time, named after the sample that is nearest to it
-  frame_00000.png, ...          with --every; those of an earlier, longer film are not removed
+  frame_00000.png, ...          with --every; those of an earlier film with more are not removed
+  render.json                   what the pictures are of. Those of another trajectory in DIR are refused, or removed
+                                with --overwrite, and always in the folder "pictures", unless you name it
 
 Exit status: 0 all is drawn; 2 wrong command line, world or trajectory, such as one of another world, or of another
 seed; or a picture cannot be written.)";
+
+constexpr const char* kPicturesFolder = "pictures";
 
 constexpr Limits<double> kTimes = {0, 1e9};  // s
 constexpr Limits<int> kPixels = {64, 4096};  // For width and height.
@@ -72,7 +77,7 @@ std::variant<RenderOptions, ExitStatus> ParseRenderOptions(int argc, const char*
   line.AddNumbers("--times", "LIST", options.times, kTimes,
                   "Times of the pictures in s. Default: the scene's; of a world file begin,\nmiddle and end");
   line.AddNumber("--every", "S", options.every, kAnyNumber, "Frames of a film, one each S seconds of the simulation");
-  line.AddPath("--out", "DIR", options.out, "Folder for the pictures; made if missing");
+  AddOutOption(line, options.out, options.overwrite, kPicturesFolder);
   line.AddText("--size", "WxH", size, "Width and height of the pictures in pixels");
   line.AddSeed(options.seed, "Seed of the random bodies, as in the run");
   if (const std::optional<int> end = line.Parse(argc, argv)) return ExitStatus(*end);
@@ -80,6 +85,7 @@ std::variant<RenderOptions, ExitStatus> ParseRenderOptions(int argc, const char*
     std::cerr << complaint << '\n';
     return kBadInput;
   }
+  CompleteOut(options.out, options.overwrite, kPicturesFolder);
   options.world = WorldFileNamed(options.world);
   return options;
 }

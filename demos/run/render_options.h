@@ -14,7 +14,8 @@ namespace dgd_demos {
 struct RenderOptions {
   std::filesystem::path world;       ///< A scene, or a world file of Bullet's.
   std::filesystem::path trajectory;  ///< What `run` has left of that world.
-  std::filesystem::path out = "pictures";
+  std::filesystem::path out;
+  bool overwrite = false;  ///< Replaces pictures of another trajectory in `out`.
   std::uint64_t seed = 1;
   std::vector<double> times;       ///< s; empty: those of the scene, or begin, middle and end.
   std::optional<double> every;     ///< A film: simulated time from one frame to the next, s.

@@ -1,6 +1,8 @@
 #include "run/run_command.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "report/pictures.h"
 #include "run/recorded_run.h"
 #include "run/world_source.h"
+#include "scene/world_hash.h"
 #include "simulation/drop_run.h"
 #include "stop_signals.h"
 
@@ -23,6 +26,34 @@ void PrintStop(const RecordedRun& run, const RunOptions& options) {
                options.checkpoint_interval
                    ? "The same command with --resume continues the run."
                    : "Files are complete up to there; only runs with --checkpoint can be continued.");
+}
+
+bool IsFileOfRun(const std::string& name) {
+  if (name == "summary.csv" || name == "bodies.csv" || name == "end_state.png") return true;
+  for (const Narrowphase narrowphase : {Narrowphase::kBuiltin, Narrowphase::kDgd}) {
+    const std::string_view begin = NameOf(narrowphase);
+    if (!name.starts_with(begin)) continue;
+    const std::string end = name.substr(begin.size());
+    if (end.starts_with("_") && IsPictureName(end.substr(1))) return true;
+    const auto ends = {".csv", ".rec", ".checkpoint", "_trajectory.npy", "_contacts.npy"};
+    return std::ranges::find(ends, end) != ends.end();
+  }
+  return false;
+}
+
+Results ResultsOf(const RunOptions& options, const WorldSource& source) {
+  const nlohmann::json time_step = options.time_step ? nlohmann::json(*options.time_step) : nlohmann::json();
+  return {options.out,
+          "run.json",
+          {{"world", options.world.filename().string() + " " + HashOfWorld(options.world)},
+           {"narrowphases", options.narrowphases},
+           {"precision", BulletPrecision()},
+           {"duration", source.duration()},
+           {"--time-step", time_step},
+           {"--seed", options.seed},
+           {"--oracle-every", options.oracle_every},
+           {"--sample-every", options.sample_interval}},
+          IsFileOfRun};
 }
 
 void Draw(const WorldSource& source, const std::vector<NamedRun>& runs, const RunOptions& options) {
@@ -42,6 +73,7 @@ ExitStatus Run(const RunOptions& options) {
   if (options.draw_snapshots) LoadOsMesa();  // A program that cannot draw says so before it has run for hours.
   MakeOutputFolder(options.out);
   const FolderLock lock(options.out);
+  ClaimFolder(ResultsOf(options, source), options.overwrite);
 
   std::vector<NamedRun> runs;
   std::vector<TableColumn> columns;

@@ -33,7 +33,7 @@ Examples:
                                                                 out/double
   headless_sim run my.json --trajectory --sample-every 0.05     20 poses a second for NumPy, and for
                                                                 `headless_sim render my.json out/dgd_trajectory.npy`
-  headless_sim run my.json --checkpoint 60 --resume             a long run, which goes on where it was when the same
+  headless_sim run my.json --checkpoint 60 --resume --out long  a long run, which goes on where it was when the same
                                                                 command is given again
   headless_sim run my_app.bullet --duration 20                  a world that your app has written with Bullet's
                                                                 serializer
@@ -77,14 +77,18 @@ constexpr const char* kFiles = R"(Written into DIR:
                                 never stopped: to the bit for the built-in, and for dgd with warm_start=off (but for
                                 measured times). With warm starts, pairs begin without them, and figures differ as
                                 between two seeds
+  run.json                      what the results are of. Those of another run in DIR are left alone and the run
+                                refused; with --overwrite they are removed, and always in "out", unless you name
+                                it or --resume
   summary.csv                   the table that is printed at the end; its wall time counts Bullet's steps
                                 alone, without oracle, files and pictures
 
-Ctrl-C and SIGTERM end a run after its step, with complete files.
+Ctrl-C and SIGTERM end a run after its step, with complete files, and at once while it reads its world.
 
 Exit status: 0 all went well; 1 a body left the world or a value was not finite; 2 wrong command line
 or world, or the output cannot be written; 130 stopped.)";
 
+constexpr const char* kResultsFolder = "out";
 constexpr const char* kDefaultScene = "scenes/polytopes_50.json";
 
 constexpr Limits<double> kSampleInterval = {0, 3600};     // s
@@ -93,7 +97,7 @@ constexpr Limits<double> kCheckpointInterval = {0, 1e9};  // s
 void AddOptions(CommandLine& line, RunOptions& options, std::string& narrowphase, bool& no_snapshots) {
   line.AddChoice("--narrowphase", "WHICH", narrowphase, {"dgd", "builtin", "both"}, "dgd, builtin or both");
   line.AddSeed(options.seed, "Seed of the random bodies");
-  line.AddPath("--out", "DIR", options.out, "Folder for the results; made if missing");
+  AddOutOption(line, options.out, options.overwrite, kResultsFolder);
   AddDurationOption(line, options.duration);
   AddOracleEveryOption(line, options.oracle_every);
   line.AddFlag("--no-snapshots", no_snapshots, "Draw no pictures");
@@ -124,6 +128,9 @@ bool IsSound(const RunOptions& options) {
 
 void Complete(RunOptions& options, const std::string& narrowphase, bool no_snapshots, const std::string& settings) {
   const std::string dgd = settings.empty() ? "dgd" : "dgd:" + settings;
+  const bool is_asked_for = options.overwrite;
+  CompleteOut(options.out, options.overwrite, kResultsFolder);
+  if (options.resume) options.overwrite = is_asked_for;  // What is to go on must not be lost by a slip in a command.
   if (narrowphase != "dgd") options.narrowphases.push_back("builtin");
   if (narrowphase != "builtin") options.narrowphases.push_back(dgd);
   options.draw_snapshots = !no_snapshots;

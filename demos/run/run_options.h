@@ -17,7 +17,8 @@ struct RunOptions {
   std::vector<std::string> narrowphases;  ///< As NarrowphaseChoice::Name(), in the order in which they run.
   std::string precision;                  ///< "float", "double" or "both"; empty: this program's.
   std::uint64_t seed = 1;
-  std::filesystem::path out = "out";
+  std::filesystem::path out;
+  bool overwrite = false;  ///< Replaces results of another run in `out`.
   bool draw_snapshots = true;
   bool record = false;  ///< Record the queries of each narrowphase.
   bool write_trajectory = false, write_contacts = false;

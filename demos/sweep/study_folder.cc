@@ -31,6 +31,12 @@ StudyFolder::StudyFolder(const std::filesystem::path& folder, const Study& study
   const std::filesystem::path file = folder_ / "study.json";
   const json identity = IdentityOf(study);
   if (!std::filesystem::exists(file)) {
+    const auto is_there = [&](const char* name) {
+      return std::filesystem::exists(std::filesystem::symlink_status(folder_ / name));
+    };
+    if (is_there("runs.csv") || is_there("tables.txt") || !std::filesystem::is_empty(folder_ / "runs")) {
+      throw std::runtime_error(folder_.string() + ": has results, and no study.json; choose another folder");
+    }
     WriteWholeFile(file, identity.dump(2) + "\n");
     return;
   }

@@ -73,6 +73,11 @@ TEST_F(PlanMotionTest, SomeSeeds_ARowEachAndMedians) {
     EXPECT_EQ(Count(rows, std::string("\n") + seed + ",1,"), 1) << rows;
     EXPECT_TRUE(std::filesystem::exists(Path(std::string("out/seed_") + seed + "/path_smoothed.csv")));
   }
+  const Outcome other = Run("--scene " + Scene() + " --no-picture --out " + Path("out"));
+  EXPECT_EQ(other.status, 2);
+  EXPECT_EQ(Count(other.output, "out: has the results of another run, with --planner \"rrt\", not \"rrt_connect\""), 1)
+      << other.output;
+  EXPECT_EQ(File("out/runs.csv"), rows);
 }
 
 TEST_F(PlanMotionTest, UnreachableGoal_Status1AndTheNearestBranchIsKept) {

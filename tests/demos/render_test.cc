@@ -86,8 +86,9 @@ class RenderTest : public testing::Test {
   std::string Path(const std::string& name) const { return (folder_.path() / name).string(); }
   std::vector<std::string> Pictures(const std::string& folder) const {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(Path(folder)))
-      names.push_back(entry.path().filename());
+    for (const auto& entry : std::filesystem::directory_iterator(Path(folder))) {
+      if (entry.path().extension() == ".png") names.push_back(entry.path().filename());
+    }
     std::ranges::sort(names);
     return names;
   }
@@ -112,6 +113,22 @@ TEST_F(RenderTest, Pictures_AreOfTheScenesTimesOrOfThoseGiven) {
   // Of the nearest samples, each once.
   EXPECT_EQ(Render(scene_ + " " + trajectory_ + " --times 0.21,0.066,0.079 --out " + Path("given")).status, 0);
   EXPECT_EQ(Pictures("given"), (Names{"t00.06s.png", "t00.08s.png", "t00.20s.png"}));
+}
+
+TEST_F(RenderTest, PicturesOfAnotherTrajectory_AreNotReplacedWithoutAWord) {
+  const std::string folder = " --out " + Path("pictures");
+  ASSERT_EQ(Render(scene_ + " " + trajectory_ + " --times 0" + folder).status, 0);
+  EXPECT_EQ(Render(scene_ + " " + trajectory_ + " --times 0.2" + folder).status, 0) << "more of the same";
+  folder_.Write("other.npy", With(11 * 2 * 14 - 1, 0.001));
+  const std::string other = scene_ + " " + Path("other.npy") + " --times 0" + folder;
+  const Outcome refused = Render(other);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(Count(refused.output, "pictures: has the results of another run, with trajectory "), 1) << refused.output;
+  EXPECT_EQ(Pictures("pictures"), (Names{"t00.00s.png", "t00.20s.png"}));
+  const Outcome replaced = Render(other + " --overwrite");
+  EXPECT_EQ(replaced.status, 0) << replaced.output;
+  EXPECT_EQ(Count(replaced.output, "; replaced\n"), 1) << replaced.output;
+  EXPECT_EQ(Pictures("pictures"), (Names{"t00.00s.png"}));
 }
 
 // The ground stays where it is while the box falls.

@@ -2,11 +2,15 @@
 // common with polytope_drop is tested there.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <thread>
 
+#include "report/whole_file.h"
+#include "run/pair_recorder.h"
 #include "small_scenes.h"
 #include "support/run_program.h"
 
@@ -118,10 +122,10 @@ TEST_F(RunTest, KilledAndResumed_LeavesTheFilesOfARunThatWasNot) {
   EXPECT_EQ(again.output, outcome.output);
   const Outcome other = Run(resumed + " --seed 2");
   EXPECT_EQ(other.status, 2);
-  EXPECT_EQ(Count(other.output, "builtin.checkpoint: is of a run with --seed 1, not 2"), 1) << other.output;
+  EXPECT_EQ(Count(other.output, "out: has the results of another run, with --seed 1, not 2"), 1) << other.output;
   EXPECT_EQ(Run(resumed + " --record").status, 2);
   std::filesystem::remove(Path("out/dgd.csv"));
-  EXPECT_EQ(Count(Run(resumed).output, "dgd.csv: cannot be continued: it does not exist"), 1);
+  EXPECT_EQ(Count(Run(resumed).output, "dgd.csv: cannot be continued: No such file"), 1);
   EXPECT_FALSE(std::filesystem::exists(Path("out/dgd.csv")));
   std::filesystem::copy_file(Path("whole/dgd.csv"), Path("out/dgd.csv"));
   std::filesystem::remove(Path("out/dgd_contacts.npy"));
@@ -217,8 +221,7 @@ TEST_F(RunTest, MeshChangedSinceTheCheckpoint_IsRefused) {
   write_mesh("1.1");
   const Outcome changed = Run(run);
   EXPECT_EQ(changed.status, 2);
-  EXPECT_EQ(Count(changed.output, "builtin.checkpoint: is of a run with hash of the world's files "), 1)
-      << changed.output;
+  EXPECT_EQ(Count(changed.output, "out: has the results of another run, with world \"mesh.json "), 1) << changed.output;
 }
 
 TEST_F(RunTest, BothPrecisions_HaveAFolderEach) {
@@ -310,12 +313,131 @@ TEST_F(RunTest, FolderThatCannotBeMade_IsNamedWithTheReason) {
 }
 
 TEST_F(RunTest, FullDisk_IsToldOfATrajectory) {
-  std::filesystem::create_directories(folder_.path() / "out");
-  std::filesystem::create_symlink("/dev/full", folder_.path() / "out" / "dgd_trajectory.npy");
-  const Outcome outcome = Run("run " + scene_ + " --no-snapshots --narrowphase dgd --trajectory --out " + Path("out"));
+  const std::string run = std::string(DGD_TEST_HEADLESS_SIM) + " run " + scene_ +
+                          " --no-snapshots --narrowphase dgd --duration 2 --trajectory --out " + Path("out");
+  // For want of a small disk, small files.
+  const Outcome outcome = dgd_test::RunProgram("sh", "-c 'trap \"\" XFSZ; ulimit -f 100; " + run + "'");
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_EQ(Count(outcome.output, "dgd_trajectory.npy: cannot be written: No space left on device"), 1)
-      << outcome.output;
+  EXPECT_EQ(Count(outcome.output, "dgd_trajectory.npy: cannot be written: File too large"), 1) << outcome.output;
+}
+
+TEST_F(RunTest, AnotherRunsFiles_AreNotReplacedWithoutAWord) {
+  const std::string run = "run " + scene_ + " --no-snapshots --narrowphase dgd --duration 0.1";
+  const std::string in_folder = run + " --out " + Path("out");
+  ASSERT_EQ(Run(in_folder).status, 0);
+  const std::string first = ReadFile(Path("out/dgd.csv"));
+  const Outcome again = Run(in_folder + " --trajectory");
+  EXPECT_EQ(again.status, 0) << "the same, with another file: " << again.output;
+  for (const std::string more : {" --seed 2", " --seed 2 --resume", " --duration 0.05", " --set patch_size=1"}) {
+    const Outcome other = Run(in_folder + more);
+    EXPECT_EQ(other.status, 2) << more;
+    EXPECT_EQ(Count(other.output, "out: has the results of another run, with "), 1) << other.output;
+  }
+  EXPECT_EQ(WithoutTimes(ReadFile(Path("out/dgd.csv"))), WithoutTimes(first));
+  const Outcome replaced = Run(in_folder + " --seed 2 --overwrite --overwrite");
+  EXPECT_EQ(replaced.status, 0) << replaced.output;
+  EXPECT_EQ(Count(replaced.output, "out: had the results of another run, with --seed 1, not 2; replaced\n"), 1);
+  EXPECT_FALSE(std::filesystem::exists(Path("out/dgd_trajectory.npy"))) << "it is not of this run";
+
+  // The folder that nobody has named is that of the last run.
+  const auto run_there = [&](const std::string& more) {
+    return dgd_test::RunProgram("sh", "-c 'cd " + folder_.path().string() + " && mkdir -p there && cd there && " +
+                                          DGD_TEST_HEADLESS_SIM + " " + run + more + "'");
+  };
+  EXPECT_EQ(Count(run_there("").output, "replaced"), 0);
+  const Outcome next = run_there(" --seed 2");
+  EXPECT_EQ(next.status, 0);
+  EXPECT_EQ(Count(next.output, "out: had the results of another run, with --seed 1, not 2; replaced\n"), 1);
+  EXPECT_EQ(run_there(" --seed 3 --resume").status, 2) << "what is to go on must not be lost by a slip";
+  const Outcome both = run_there(" --seed 3 --precision both");
+  EXPECT_EQ(both.status, 0) << both.output;
+  EXPECT_EQ(run_there(" --seed 4 --precision both").status, 0);
+}
+
+TEST_F(RunTest, LinksInTheFolder_AreNotWrittenThrough) {
+  const std::string record = kHasRecorder ? " --record" : "";
+  const std::string run =
+      "run " + scene_ + " --no-snapshots --duration 0.1" + record + " --trajectory --contacts --out " + Path("out");
+  ASSERT_EQ(Run(run).status, 0);
+  folder_.Write("precious", "precious");
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(Path("out"))) files.push_back(entry.path());
+  EXPECT_GE(files.size(), 9u);
+  for (const std::filesystem::path& file : files) {
+    const std::string content = ReadFile(file);
+    std::filesystem::remove(file);
+    std::filesystem::create_symlink(Path("precious"), file);
+    const Outcome linked = Run(run);
+    EXPECT_EQ(linked.status, 2) << file << linked.output;
+    EXPECT_EQ(ReadFile(Path("precious")), "precious") << file;
+    std::filesystem::remove(file);
+    folder_.Write("out/" + file.filename().string(), content);
+  }
+  std::filesystem::create_directory_symlink(Path("out"), Path("elsewhere"));
+  EXPECT_EQ(Run("run " + scene_ + " --duration 0.1 --no-snapshots --out " + Path("elsewhere")).status, 0)
+      << "the folder itself may be one";
+}
+
+// Processes of the program whose arguments have the folder's name; after a moment, in which one that is killed ends.
+int CountRunsIn(const std::string& folder) {
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  int count = 0;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc", ignored)) {
+    const std::string arguments = ReadFile(entry.path() / "cmdline");
+    if (arguments.starts_with(DGD_TEST_HEADLESS_SIM) && arguments.find(folder) != std::string::npos) ++count;
+  }
+  return count;
+}
+
+// Of a mesh whose import never ends.
+TEST_F(RunTest, StoppedWhileItReadsAMesh_EndsAtOnceWithItsChild) {
+  folder_.Write("endless.ply", "ply\nformat ascii 1.0\nelement vertex 1\n");
+  std::string text = ValidSceneText();
+  const std::size_t start = text.find("{ \"type\"");
+  text.replace(start, text.find("}\n  ]") + 1 - start,
+               R"({ "type": "mesh", "file": "endless.ply", "mass": 1, "position": [0, 0, 1] })");
+  const std::string run = std::string(DGD_TEST_HEADLESS_SIM) + " run " + folder_.Write("mesh.json", text).string() +
+                          " --no-snapshots --out " + Path("out");
+  for (const std::string signal : {"TERM", "INT"}) {
+    const auto begin = std::chrono::steady_clock::now();
+    const Outcome outcome = dgd_test::RunProgram("timeout", "-s " + signal + " 0.7 " + run);
+    EXPECT_EQ(outcome.status, 124) << signal << outcome.output;
+    EXPECT_EQ(CountRunsIn(folder_.path().string()), 0) << signal;
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(8)) << signal;
+  }
+}
+
+// Its hash is right, whatever is in it.
+TEST_F(RunTest, ForgedCheckpoint_IsASentenceOrARun) {
+  const std::string run = "run " + scene_ +
+                          " --narrowphase dgd --no-snapshots --duration 0.2 --trajectory --contacts --out " +
+                          Path("out") + " --checkpoint 0.05 --resume";
+  ASSERT_EQ(Run(run).status, 0);
+  const std::string file = ReadFile(Path("out/dgd.checkpoint"));
+  const std::size_t hash = file.find('\n') + 1, content = file.find('\n', hash) + 1;
+  const auto resume = [&](const std::string& forged) {
+    folder_.Write("out/dgd.checkpoint", file.substr(0, hash) + HashOf(forged) + "\n" + forged);
+    return Run(run);
+  };
+  const std::string whole = file.substr(content);
+  ASSERT_EQ(resume(whole).status, 0);
+  int turn = 0;
+  for (std::size_t i = 0; i + 4 <= whole.size(); i += whole.size() / 50) {
+    std::string forged = whole;
+    for (std::size_t byte = 0; byte < 4; ++byte) forged[i + byte] = "\xff\x7f\x00"[turn % 3];
+    ++turn;
+    const Outcome outcome = resume(forged);
+    EXPECT_TRUE(outcome.status >= 0 && outcome.status <= 2) << i << ": " << outcome.status << outcome.output;
+    EXPECT_TRUE(outcome.status != 2 || Count(outcome.output, "dgd.checkpoint: ") > 0) << outcome.output;
+  }
+  const std::string state = whole.substr(whole.find('\n'));
+  for (const std::string& forged : {state, std::string(), std::string("{}"), "{}" + state, "[1]" + state,
+                                    std::string(200'000, '[') + state, whole.substr(0, whole.find('\n'))}) {
+    const Outcome outcome = resume(forged);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(Count(outcome.output, "dgd.checkpoint: "), 1) << outcome.output;
+  }
 }
 
 }  // namespace

@@ -152,6 +152,10 @@ TEST_F(SweepTest, CrashedRun_IsToldAndCanBeDoneAgain) {
       << outcome.output;
   EXPECT_EQ(Count(outcome.output, "2 of 2 runs are done"), 1);
   EXPECT_EQ(Run("sweep " + study + " --out " + Path("out")).status, 1) << "it is not done again by itself";
+  std::filesystem::remove(Path("out/study.json"));
+  const Outcome of_any = Run("sweep " + study + " --out " + Path("out"));
+  EXPECT_EQ(of_any.status, 2);
+  EXPECT_EQ(Count(of_any.output, "out: has results, and no study.json; choose another folder"), 1) << of_any.output;
 }
 
 TEST_F(SweepTest, SceneByName_IsFoundFromAnyFolder) {
