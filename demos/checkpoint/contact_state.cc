@@ -1,5 +1,6 @@
 #include "checkpoint/contact_state.h"
 
+#include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 
 #include <cstdint>

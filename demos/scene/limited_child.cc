@@ -74,7 +74,8 @@ bool Send(int pipe, const void* bytes, std::size_t size) {
   return true;
 }
 
-[[noreturn]] void Work(const std::function<std::string()>& work, const ChildLimits& limits, int pipe) {
+// Nothing that is thrown in the child may reach those who called for it in this process.
+[[noreturn]] void Work(const std::function<std::string()>& work, const ChildLimits& limits, int pipe) noexcept {
   LimitTo(0, RLIMIT_CORE);
   LimitTo(limits.processor_time, RLIMIT_CPU);
   LimitMemory(limits.memory);

@@ -87,7 +87,7 @@ std::vector<Vector3d> ScaledVertices(const std::string& coordinates, double scal
 // About ten times what importers take of formats with one number in ten bytes.
 ChildLimits ImportLimits(std::uint64_t file_size) {
   const std::uint64_t megabytes = file_size >> 20;
-  const auto seconds = static_cast<unsigned>(10 + megabytes);
+  const auto seconds = static_cast<unsigned>(4 + 2 * megabytes);
   const auto machine =
       static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
   return {seconds, 6 * seconds, std::min((1024 + 128 * megabytes) << 20, machine)};
