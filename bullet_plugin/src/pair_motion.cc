@@ -1,6 +1,7 @@
 #include "pair_motion.h"
 
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
+#include <BulletCollision/CollisionShapes/btCapsuleShape.h>
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 #include <LinearMath/btTransformUtil.h>
@@ -28,6 +29,19 @@ double BoundingRadius(const btCollisionObject& object, const btVector3& from) {
 BoundedBody::BoundedBody(const btCollisionObject& body)
     : object(body), radius(BoundingRadius(body, body.getWorldTransform().getOrigin())) {}
 
+namespace {
+
+/// Distance from a body's centre of mass to the farthest point that approaches anything as the body turns: a ball's
+/// surface about a point of it does not.
+double RimRadius(const BoundedBody& body) {
+  const btCollisionShape& shape = *body.object.getCollisionShape();
+  if (shape.getShapeType() == SPHERE_SHAPE_PROXYTYPE) return 0;
+  if (shape.getShapeType() != CAPSULE_SHAPE_PROXYTYPE) return body.radius;
+  return double(static_cast<const btCapsuleShape&>(shape).getHalfHeight());
+}
+
+}  // namespace
+
 PairMotion::Twist PairMotion::Read(const BoundedBody& body, double time_step) {
   const btCollisionObject& object = body.object;
   // Apps that make a body kinematic as Bullet's manual says leave it flagged as static, too.
@@ -40,6 +54,7 @@ PairMotion::Twist PairMotion::Read(const BoundedBody& body, double time_step) {
                  FromBullet(object.getWorldTransform().getOrigin()),
                  &object,
                  body.radius,
+                 RimRadius(body),
                  link != nullptr};
   };
   if (const btRigidBody* rigid = btRigidBody::upcast(&object)) {

@@ -60,7 +60,7 @@ class PairMotion {
 
   /// A bound on how far any point of either body approaches the other; metres.
   double MaxApproach() const {
-    return time_step_ * (RelativeVelocity().norm() + a_.angular.norm() * a_.radius + b_.angular.norm() * b_.radius);
+    return time_step_ * (RelativeVelocity().norm() + a_.angular.norm() * a_.rim + b_.angular.norm() * b_.rim);
   }
   /// Whether a point of either body may approach the other by as much as `distance` along `normal` (unit, from A to B),
   /// metres; also where velocities are NaN. Mostly without a root.
@@ -125,7 +125,7 @@ class PairMotion {
     double Speed() const { return linear.norm() + angular.norm() * radius; }
     /// No point goes faster along `normal` by rotation alone, on average over any time: turned by an angle about an
     /// axis, a unit vector's end goes that angle at most times its distance from the axis.
-    double RimSpeed(const Vector3& normal) const { return angular.cross(normal).norm() * radius; }
+    double RimSpeed(const Vector3& normal) const { return angular.cross(normal).norm() * rim; }
     /// The square of the radius of gyration about an axis through the centre of mass, of any length; square metres,
     /// infinite for what contacts do not turn. Links count as that: their neighbours take part in an impact.
     double GyrationSq(const Vector3& axis) const;
@@ -141,14 +141,15 @@ class PairMotion {
     Vector3 center = Vector3::Zero();         // Centre of mass, world, metres.
     const btCollisionObject* body = nullptr;  // The body, unless it never moves.
     double radius = 0;                        // Distance of the farthest point from the centre, metres.
-    bool is_link = false;                     // Whether it is a multibody's link.
+    double rim = 0;        // Distance of the farthest point that approaches anything as the body turns, metres.
+    bool is_link = false;  // Whether it is a multibody's link.
   };
 
   static Twist Read(const BoundedBody& body, double time_step);
 
   /// @param along  Speed of the centres' approach along the normal, metres per second.
   bool MayCloseBy(double distance, const Vector3& normal, double along) const {
-    const double around = a_.angular.lpNorm<1>() * a_.radius + b_.angular.lpNorm<1>() * b_.radius;
+    const double around = a_.angular.lpNorm<1>() * a_.rim + b_.angular.lpNorm<1>() * b_.rim;
     if (time_step_ * (along + around) < distance) return false;
     return !(time_step_ * (along + a_.RimSpeed(normal) + b_.RimSpeed(normal)) < distance);
   }

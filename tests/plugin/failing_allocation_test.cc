@@ -5,6 +5,7 @@
 #include <BulletCollision/CollisionShapes/btBvhTriangleMeshShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleMesh.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <new>
 
@@ -17,8 +18,11 @@ namespace {
 /// Allocations until one fails, and from then on all; negative for never.
 thread_local long allocations_left = -1;
 
+thread_local long allocations_made = 0;
+
 /// Null where there is no memory.
 void* Allocate(std::size_t size) {
+  ++allocations_made;
   if (allocations_left == 0) return nullptr;
   if (allocations_left > 0) --allocations_left;
   return std::malloc(size);
@@ -153,6 +157,22 @@ TEST(FailingAllocation, OfAMesh_EachInTurn_MadeUpForLater) {
     ASSERT_EQ(pair.Manifold().getNumContacts(), expected.Manifold().getNumContacts()) << n;
   }
   EXPECT_GT(n, 3) << "what is kept of triangles needs memory";
+}
+
+// Once a body has been on a mesh for some steps, in which a hull gets its facets, it needs no more memory.
+TEST(SteadyScene, BodiesOnAMesh_AllocateNothing) {
+  btTriangleMesh triangles;
+  AddGrid(triangles, 10, 0.3, [](double x, double y) { return 0.05 * std::sin(3 * x + 2 * y); });
+  btBvhTriangleMeshShape mesh(&triangles, true);
+  for (const ZooShape& shape : MakeShapeZoo(0.9)) {
+    SCOPED_TRACE(shape.name);
+    Dispatching dispatching(Route::kConfiguration);
+    BarePair pair(dispatching.dispatcher(), *shape.shape, mesh);
+    for (int step = 0; step < 60; ++step) pair.Step();
+    const long before = allocations_made;
+    for (int step = 0; step < 20; ++step) pair.Step();
+    EXPECT_EQ(allocations_made, before);
+  }
 }
 
 }  // namespace

@@ -169,6 +169,27 @@ TEST(MeshContacts, RollingBall_KeepsItsSpeedAndNeverHops) {
   }
 }
 
+// One triangle's contact is of now, the next one's of where the ball will be at the end of the step.
+TEST(MeshContacts, BallThatPassesASeam_KeepsItsHeight) {
+  constexpr double kSpeed = 1.5, kCell = 0.5;
+  for (const double hz : {60.0, 240.0, 1000.0}) {
+    for (int i = 0; i < 20; ++i) {
+      MeshWorld world(hz);
+      world.AddFlat(Ground::kMesh, 5, kCell, 1);
+      btSphereShape sphere(btScalar(0.5));
+      btRigidBody& ball = world.AddBody(sphere, Upright(-0.1 - 0.01 * i * kSpeed / hz, 0.007, 0.5), 1);
+      ball.setLinearVelocity(Vec(kSpeed, 0, 0));
+      ball.setAngularVelocity(Vec(0, 2 * kSpeed, 0));
+      double off = 0;
+      for (int step = 0; step < world.Steps(0.5); ++step) {
+        world.Step();
+        off = std::max(off, std::abs(double(ball.getWorldTransform().getOrigin().z()) - 0.5));
+      }
+      EXPECT_LT(off, 1e-5) << hz << " Hz, " << i;
+    }
+  }
+}
+
 // Bullet's own stops them: the box keeps a fifth of its speed on cells of 10 cm.
 TEST(MeshContacts, SlidingBody_KeepsItsSpeedAndDirection) {
   for (const Slider& slider : MakeSliders()) {

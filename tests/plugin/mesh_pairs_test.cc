@@ -1,4 +1,4 @@
-// Triangles' algorithms that are kept from step to step: the answers are those of new ones, and none outlives its use.
+// What is kept of triangles from step to step: the answers are those of new ones.
 #include <BulletCollision/CollisionDispatch/btConvexConvexAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletCollision/CollisionShapes/btBvhTriangleMeshShape.h>
@@ -120,7 +120,7 @@ class MeshPairs : public testing::Test {
     return btTransform(turn, Vec(x, y, height + Height(x, y) + 0.05 * std::sin(0.3 * step)));
   }
 
-  /// Whether kept algorithms answer as new ones do, on the way over the mesh.
+  /// Whether what is kept answers as what is new, on the way over the mesh.
   /// @param change  Called before each step, with its number.
   template <class Change>
   void ExpectAnswersOfNewOnes(btConvexShape& shape, const Change& change) {
@@ -210,8 +210,8 @@ TEST_F(MeshPairs, BodyChangesItsShape_AnswersOfNewOnes) {
   ExpectAnswersOfNewOnes(box, [&](int step, btCollisionObject& body) { body.setCollisionShape(shapes[step / 2 % 3]); });
 }
 
-// What the kept algorithms are for: without them, each triangle that touches is solved in each step.
-TEST_F(MeshPairs, KeptAlgorithms_AreWarm) {
+// What it is for: without it, each triangle that touches is solved from scratch in each step.
+TEST_F(MeshPairs, KeptTriangles_AreWarm) {
   const std::shared_ptr<btConvexHullShape> prism = MakePrism(7, 0.4, 0.4);
   btCollisionObject body;
   body.setCollisionShape(prism.get());
@@ -228,53 +228,56 @@ TEST_F(MeshPairs, KeptAlgorithms_AreWarm) {
   EXPECT_GT(triangles.solved, 100U);
   std::uint64_t evaluations = 0;
   for (std::size_t i = 0; i < triangles.iterations.size(); ++i) evaluations += i * triangles.iterations[i];
-  EXPECT_LT(evaluations, 3 * triangles.calls) << "a new algorithm's first query takes 6 to 10";
+  EXPECT_LT(evaluations, 3 * triangles.calls) << "a triangle's first query takes 6 to 10";
 }
 
-// What an app's allocator sees of them.
-TEST_F(MeshPairs, BodyOnAMesh_HasEachTrianglesAlgorithmMadeOnce) {
-  btBoxShape box(Vec(0.4, 0.35, 0.45));
-  btCollisionObject body;
-  body.setCollisionShape(&box);
-  body.setWorldTransform(Place(0));
-  MeshPair pair(dispatcher_, body, mesh_, false);
-  pair.Step();
-  const int made_first = dispatcher_.made();
-  EXPECT_GT(made_first, 8);
-  for (int step = 0; step < 10; ++step) pair.Step();
-  EXPECT_EQ(dispatcher_.made(), made_first);
-  // Along 4 m it comes near 14 columns of about ten triangles, to each once.
-  for (int step = 0; step < 400; ++step) {
-    const double x = -2 + 0.01 * step;
-    body.getWorldTransform().setOrigin(Vec(x, 0, kTouching + Height(x, 0)));
-    pair.Step();
-  }
-  EXPECT_LT(dispatcher_.made(), 170) << "thousands without them";
-}
-
-TEST_F(MeshPairs, TrianglesThatAreLeft_GiveTheirAlgorithmsBack) {
+// What an app's allocator sees of them: the table is read once.
+TEST_F(MeshPairs, BodyOnAMesh_AsksForATrianglesAlgorithmOnce) {
   btBoxShape box(Vec(0.4, 0.35, 0.45));
   btCollisionObject body;
   body.setCollisionShape(&box);
   {
     MeshPair pair(dispatcher_, body, mesh_, false);
-    int most = 0;
     for (int step = 0; step < 200; ++step) {
       body.setWorldTransform(Place(step));
       pair.Step();
-      most = std::max(most, dispatcher_.living());
+      EXPECT_EQ(dispatcher_.living(), 1);
     }
-    // A square of 1.7 m has 72 triangles.
-    EXPECT_GT(most, 8);
-    EXPECT_LT(most, 80);
-    body.setWorldTransform(btTransform(btQuaternion::getIdentity(), Vec(0, 0, 5)));
-    pair.Step();
-    EXPECT_EQ(dispatcher_.living(), 1);
-    body.setWorldTransform(Place(0));
-    pair.Step();
-    EXPECT_GT(dispatcher_.living(), 1);
+    EXPECT_EQ(dispatcher_.made(), 2);
   }
   EXPECT_EQ(dispatcher_.living(), 0);
+}
+
+// Across its rows, a body leaves and meets triangles all along Bullet's order of visits.
+TEST_F(MeshPairs, SlideAcrossAHeightfieldsRows_CostsAsAlongThem) {
+  constexpr int kPoints = 101, kSteps = 40;
+  constexpr double kCell = 0.1, kWay = 0.05;
+  std::vector<btScalar> heights(kPoints * kPoints, btScalar(0));
+  btHeightfieldTerrainShape terrain(kPoints, kPoints, heights.data(), btScalar(-1), btScalar(1), 2, false);
+  terrain.setLocalScaling(Vec(kCell, kCell, 1));
+  mesh_.setCollisionShape(&terrain);
+  btBoxShape box(Vec(2, 2, 0.25));
+  btCollisionObject body;
+  body.setCollisionShape(&box);
+  std::array<double, 2> evaluations{}, calls{};
+  for (const int axis : {0, 1}) {
+    Dispatching dispatching(Route::kConfiguration, Counting());
+    MeshPair pair(dispatching.dispatcher(), body, mesh_, false);
+    for (int step = 0; step < kSteps; ++step) {
+      btVector3 place = Vec(0.013, 0.013, 0.25);
+      place[axis] += btScalar(kWay * (step - kSteps / 2));
+      body.setWorldTransform(btTransform(btQuaternion::getIdentity(), place));
+      pair.Step();
+    }
+    const dgd_bullet::PairStatistics triangles = dispatching.statistics().pairs.at(0);
+    calls[std::size_t(axis)] = double(triangles.calls);
+    for (std::size_t i = 0; i < triangles.iterations.size(); ++i) {
+      evaluations[std::size_t(axis)] += double(i * triangles.iterations[i]);
+    }
+  }
+  EXPECT_GT(calls[0], 3000 * kSteps);
+  EXPECT_NEAR(calls[1], calls[0], 0.02 * calls[0]);
+  EXPECT_NEAR(evaluations[1], evaluations[0], 0.05 * evaluations[0]);
 }
 
 int made = 0;

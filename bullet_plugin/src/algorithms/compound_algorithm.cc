@@ -15,7 +15,6 @@
 #include "algorithms/narrowphase.h"
 #include "bound_part.h"
 #include "contact_range.h"
-#include "mesh/triangle_pairs.h"
 #include "pair_motion.h"
 #include "prefetch.h"
 #include "swept_box.h"

@@ -45,19 +45,6 @@ PairOutcome ConvexConvexAlgorithm::RunPipeline(const PairCall& call) {
   return dgd_bullet::RunPipeline(pair_, cache_, call);
 }
 
-std::optional<Fallback> ConvexConvexAlgorithm::FindTriangleContacts(const PairBodies& convex_and_triangle,
-                                                                    const Vector3& normal, const TriangleQuery& query,
-                                                                    PairContacts& contacts) {
-  DGD_ASSERT(!pair_.manifold.IsOwn());
-  if (PairObserver* observer = pair_.options().pair_observer) {
-    observer->OnPair(convex_and_triangle.first, convex_and_triangle.second);
-  }
-  const PairOutcome outcome =
-      dgd_bullet::FindTriangleContacts(pair_, cache_, convex_and_triangle, normal, query, contacts);
-  Count(convex_and_triangle, outcome);
-  return outcome.fallback;
-}
-
 btScalar ConvexConvexAlgorithm::calculateTimeOfImpact(btCollisionObject* body_0, btCollisionObject* body_1,
                                                       const btDispatcherInfo&, btManifoldResult*) {
   constexpr btScalar kNever = 1;

@@ -5,11 +5,8 @@
 // to A, A and B in the order of the call; the depth is the signed distance after margins.
 #pragma once
 
-#include <optional>
-
 #include "algorithms/pair_algorithm.h"
 #include "dgd_bullet/linkage.h"
-#include "mesh/face_contacts.h"
 #include "pair/pair_cache.h"
 #include "pair/pair_patch.h"
 #include "pair/separating_axis.h"
@@ -23,25 +20,6 @@ class ConvexConvexAlgorithm final : public PairAlgorithm {
 
   void processCollision(const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1,
                         const btDispatcherInfo& info, btManifoldResult* output) override;
-
-  /// Finds the contacts with a triangle of a mesh, instead of processCollision(): the mesh chooses among all triangles'
-  /// contacts, and writes them.
-  /// @param normal  See dgd_bullet::FindTriangleContacts().
-  /// @return why the pair is not solved, if it is not; that is counted.
-  std::optional<Fallback> FindTriangleContacts(const PairBodies& convex_and_triangle, const Vector3& normal,
-                                               const TriangleQuery& query, PairContacts& contacts);
-
-  /// Solves a pair that FindTriangleContacts() has not solved by Bullet's own algorithm, into the result.
-  void FallBack(const PairBodies& bodies, const btDispatcherInfo& info, btManifoldResult& output) {
-    pair_.narrowphase.FallBack(*m_dispatcher, &bodies.first, &bodies.second, info, output);
-  }
-
-  /// The contacts along the triangle's normal, after FindTriangleContacts() in the same step. Does not throw.
-  /// @param normal, moment  See dgd_bullet::FindTriangleFaceContacts().
-  FaceContacts FindTriangleFaceContacts(const PairBodies& convex_and_triangle, const Vector3& normal,
-                                        const Moment& moment, const TriangleQuery& query) {
-    return dgd_bullet::FindTriangleFaceContacts(pair_.narrowphase, cache_, convex_and_triangle, normal, moment, query);
-  }
 
   /// The part of the motion from the bodies' transforms to their interpolation transforms that they go before they
   /// touch, or 1: by a sweep of the shapes themselves, never late. Only apps that dispatch continuously call it. As in

@@ -16,6 +16,7 @@
 
 #include "algorithms/convex_convex_algorithm.h"
 #include "bound_part.h"
+#include "compound/child_pairs.h"
 #include "contact_range.h"
 #include "dgd/assert.h"
 #include "manifold/just_touching.h"
@@ -23,9 +24,11 @@
 #include "manifold/mesh_triangle.h"
 #include "mesh/contact_reduction.h"
 #include "mesh/mesh_contacts.h"
-#include "mesh/triangle_pairs.h"
+#include "mesh/triangle_query.h"
+#include "mesh/triangle_states.h"
 #include "pair/pair_patch.h"
 #include "pair/separating_axis.h"
+#include "pair/shared_stages.h"
 #include "pair_motion.h"
 #include "report/contact_drawer.h"
 #include "swept_box.h"
@@ -34,25 +37,20 @@
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
-/// The state of a pair from step to step: algorithms, and memory.
+/// The state of a pair from step to step, and memory.
 struct MeshStep {
-  explicit MeshStep(btDispatcher& dispatcher) : pairs(dispatcher) {}
-
   void Begin(const btTransform& mesh) {
     contacts.Begin(mesh);
-    triangles.clear();
+    states.Begin();
+    solved.clear();
   }
 
-  TrianglePairs pairs;
+  TriangleStates states;
   MeshContacts contacts;
-  /// A triangle's part in finding its face contacts.
-  struct Solved {
-    ConvexConvexAlgorithm* algorithm = nullptr;  // Null where an app's own algorithm has solved it.
-    Moment moment;                               // PairContacts::moment.
-    bool has_patch = false;                      // Whether it has contacts with the body, ghosts or not.
-  };
-  std::vector<Solved> triangles;  // The contacts' triangles.
-  PairContacts found;             // The last triangle's.
+  std::vector<int> solved;                 // Number of the state of each triangle; negative if it is out of reach.
+  PairContacts found;                      // The last triangle's.
+  PairCache::Hull hull;                    // The body's.
+  int our_type = INVALID_SHAPE_PROXYTYPE;  // Type of shape whose triangles the dispatcher leaves to us.
 };
 
 namespace {
@@ -84,21 +82,21 @@ class GatheringResult final : public btManifoldResult {
   MeshContacts& contacts_;
 };
 
-/// Gathers the contacts of each triangle that the convex body's bounding box reaches.
-class TriangleVisit final : public btTriangleCallback {
+/// Gathers the contacts of the triangles that the convex body's bounding box reaches.
+class ContactGathering final : public btTriangleCallback {
  public:
-  TriangleVisit(const btCollisionObjectWrapper& convex, const btCollisionObjectWrapper& mesh,
-                const btDispatcherInfo& info, const TriangleQuery& query, btDispatcher& dispatcher, MeshStep& step,
-                btManifoldResult& output)
-      : convex_(convex),
-        mesh_(mesh),
-        bounded_convex_(*convex.getCollisionObject()),
-        bounded_mesh_(*mesh.getCollisionObject()),
+  /// Throws what AdaptShape() does.
+  ContactGathering(const PairBodies& bodies, const btDispatcherInfo& info, const MeshQuery& query,
+                   SharedState& narrowphase, btDispatcher& dispatcher, MeshStep& step, btManifoldResult& output)
+      : convex_(bodies.first),
+        mesh_(bodies.second),
         info_(info),
         query_(query),
+        narrowphase_(narrowphase),
         dispatcher_(dispatcher),
         step_(step),
-        output_(output) {}
+        output_(output),
+        triangle_query_(narrowphase, bodies, query, step.hull) {}
 
   /// All contacts that count. Throws std::bad_alloc.
   void Gather() {
@@ -107,8 +105,11 @@ class TriangleVisit final : public btTriangleCallback {
                     double(mesh.getMargin()) + query_.limits.patch_settings.contact_distance);
     mesh.processAllTriangles(this, box_.low, box_.high);
     if (is_out_of_memory_) throw std::bad_alloc();
+    for (int i = 0; i < step_.contacts.triangles(); ++i) step_.solved.push_back(Solve(i));
     step_.contacts.RemoveGhosts();
-    if (query_.motion.MaxApproach() > query_.limits.range.touching) {
+    if (triangle_query_.IsOfBall()) {
+      // It has no face.
+    } else if (query_.motion.MaxApproach() > query_.limits.range.touching) {
       // What meets an internal edge first may have no other contact before it has passed.
       for (int i = 0; i < step_.contacts.triangles(); ++i) {
         if (!step_.contacts.HasContacts(i)) AddFaceContacts(i);
@@ -125,101 +126,98 @@ class TriangleVisit final : public btTriangleCallback {
   void processTriangle(btVector3* corners, int part, int index) override {
     if (is_out_of_memory_ || !TestTriangleAgainstAabb2(corners, box_.low, box_.high)) return;
     try {
-      Visit(corners, part, index);
+      step_.contacts.AddTriangle(corners, part, index);
     } catch (const std::bad_alloc&) {
       is_out_of_memory_ = true;  // An app's mesh may have to be unlocked: nothing is thrown through it.
     }
   }
 
  private:
-  void Visit(const btVector3* corners, int part, int index) {
-    const int i = step_.contacts.AddTriangle(corners, part, index);
-    step_.triangles.emplace_back();
-    DGD_ASSERT(step_.triangles.size() == static_cast<std::size_t>(step_.contacts.triangles()));
-    const TriangleBody triangle(step_.contacts.triangle(i), mesh_);
-    if (auto* cached = static_cast<ConvexConvexAlgorithm*>(step_.pairs.Find(part, index))) {
-      step_.triangles.back().algorithm = cached;
-      return AddContacts(*cached, triangle.wrapper(), i);
+  static constexpr int kOutOfReach = -1;
+
+  /// Adds a triangle's contacts. Returns the number of its state.
+  int Solve(int index) {
+    const MeshTriangle& triangle = step_.contacts.triangle(index);
+    const Vector3& normal = step_.contacts.NormalOf(index);
+    if (triangle_query_.IsOutOfPlane(triangle, normal)) return kOutOfReach;
+    if (!IsOurs(triangle)) return kOutOfReach;
+    const int number = step_.states.Add(triangle.part, triangle.index);
+    PairContacts& found = step_.found;
+    const PairOutcome outcome = CatchFailures([&] {
+      triangle_query_.Place(triangle, normal);
+      return triangle_query_.FindContacts(step_.states[number], found);
+    });
+    narrowphase_.Count(convex_.getCollisionShape()->getShapeType(), TRIANGLE_SHAPE_PROXYTYPE, outcome);
+    if (!outcome.fallback) {
+      step_.contacts.Add(index, found.patch, found.normal);
+      return number;
     }
-    if (IsOutOfPlane(triangle)) return;
-    // The dispatcher's table decides: an app may have an algorithm of its own for triangles.
-    btCollisionAlgorithm* algorithm = dispatcher_.findAlgorithm(
-        &convex_, &triangle.wrapper(), output_.getPersistentManifold(), BT_CONTACT_POINT_ALGORITHMS);
-    if (algorithm == nullptr) return;
-    const auto destroy = [&](btCollisionAlgorithm* owned) { Destroy(dispatcher_, owned); };
-    std::unique_ptr<btCollisionAlgorithm, decltype(destroy)> owner(algorithm, destroy);
-    if (auto* ours = dynamic_cast<ConvexConvexAlgorithm*>(algorithm)) {
-      if (step_.pairs.Insert(part, index, ours))
-        step_.triangles.back().algorithm = static_cast<ConvexConvexAlgorithm*>(owner.release());
-      AddContacts(*ours, triangle.wrapper(), i);
-    } else {
-      // An app's own algorithm may rely on being new in each step.
-      has_foreign_ = true;
-      const BoundPart bound(output_, triangle.wrapper());
-      algorithm->processCollision(&convex_, &triangle.wrapper(), info_, &output_);
+    if (IsSolvedByBullet(*outcome.fallback)) {
+      const TriangleBody body(triangle, mesh_);
+      const BoundPart bound(output_, body.wrapper());
+      GatheringResult result(output_, query_.limits.range.touching, index, step_.contacts);
+      narrowphase_.FallBack(dispatcher_, &convex_, &body.wrapper(), info_, result);
     }
+    return kOutOfReach;
   }
 
-  void AddContacts(ConvexConvexAlgorithm& algorithm, const btCollisionObjectWrapper& triangle, int index) {
-    PairContacts& found = step_.found;
-    const std::optional<Fallback> failure =
-        algorithm.FindTriangleContacts({convex_, triangle}, step_.contacts.NormalOf(index), query_, found);
-    step_.triangles.back().moment = found.moment;
-    step_.triangles.back().has_patch = found.patch.size > 0;
-    if (!failure) return step_.contacts.Add(index, found.patch, found.normal);
-    if (!IsSolvedByBullet(*failure)) return;
-    const BoundPart bound(output_, triangle);
-    GatheringResult result(output_, query_.limits.range.touching, index, step_.contacts);
-    algorithm.FallBack({convex_, triangle}, info_, result);
+  /// Whether a triangle is ours to solve, as the dispatcher's table has it; if an app has an algorithm of its own, that
+  /// has solved it then.
+  bool IsOurs(const MeshTriangle& triangle) {
+    const int type = convex_.getCollisionShape()->getShapeType();
+    PairObserver* observer = narrowphase_.options().pair_observer;
+    if (step_.our_type == type && observer == nullptr) return true;
+    const TriangleBody body(triangle, mesh_);
+    if (step_.our_type != type) {
+      const auto destroy = [&](btCollisionAlgorithm* algorithm) { Destroy(dispatcher_, algorithm); };
+      // An app's own algorithm may rely on being new in each step.
+      const std::unique_ptr<btCollisionAlgorithm, decltype(destroy)> algorithm(
+          dispatcher_.findAlgorithm(&convex_, &body.wrapper(), output_.getPersistentManifold(),
+                                    BT_CONTACT_POINT_ALGORITHMS),
+          destroy);
+      if (algorithm == nullptr) return false;
+      if (dynamic_cast<ConvexConvexAlgorithm*>(algorithm.get()) == nullptr) {
+        has_foreign_ = true;
+        const BoundPart bound(output_, body.wrapper());
+        algorithm->processCollision(&convex_, &body.wrapper(), info_, &output_);
+        return false;
+      }
+      step_.our_type = type;
+    }
+    if (observer != nullptr) observer->OnPair(convex_, body.wrapper());
+    return true;
   }
 
   /// The contacts of a triangle along its own normal.
   void AddFaceContacts(int index) {
-    DGD_ASSERT(index >= 0 && static_cast<std::size_t>(index) < step_.triangles.size());
-    const auto [algorithm, moment, has_patch] = step_.triangles[static_cast<std::size_t>(index)];
-    const Vector3 normal = step_.contacts.NormalOf(index);
-    if (algorithm == nullptr || !has_patch || normal.isZero(0)) return;
-    const TriangleBody triangle(step_.contacts.triangle(index), mesh_);
-    const FaceContacts found =
-        algorithm->FindTriangleFaceContacts({convex_, triangle.wrapper()}, normal, moment, query_);
-    step_.contacts.Add(index, found.patch, found.normal);
-  }
-
-  /// Whether the convex body is on one side of the triangle's plane and does not come near it in the step.
-  bool IsOutOfPlane(const TriangleBody& triangle) const {
-    const btVector3* corners = triangle.shape().m_vertices1;
-    const btVector3 area = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-    const btScalar length = area.length();
-    if (!(length > 0)) return false;
-    const btVector3 normal = mesh_.getWorldTransform().getBasis() * (area / length);
-    const auto is_apart = [&](const btVector3& direction) {
-      const double separation =
-          SeparationAlong({convex_, bounded_convex_}, {triangle.wrapper(), bounded_mesh_}, direction);
-      return separation > query_.limits.range.touching &&
-             !query_.motion.MayApproachBy(separation, FromBullet(direction));
-    };
-    return is_apart(normal) || is_apart(-normal);
+    const int number = step_.solved[static_cast<std::size_t>(index)];
+    const Vector3& normal = step_.contacts.NormalOf(index);
+    if (number == kOutOfReach || !step_.states[number].had_contact || normal.isZero(0)) return;
+    triangle_query_.Place(step_.contacts.triangle(index), normal);
+    triangle_query_.FindFaceContacts(step_.states[number], step_.found);
+    step_.contacts.Add(index, step_.found.patch, step_.found.normal);
   }
 
   const btCollisionObjectWrapper &convex_, &mesh_;
-  const BoundedBody bounded_convex_, bounded_mesh_;
   const btDispatcherInfo& info_;
-  const TriangleQuery& query_;
+  const MeshQuery& query_;
+  SharedState& narrowphase_;
   btDispatcher& dispatcher_;
   MeshStep& step_;
   btManifoldResult& output_;
+  TriangleQuery triangle_query_;
   bool has_foreign_ = false, is_out_of_memory_ = false;
   Box box_;  // The convex body's on its way, in the mesh's frame.
 };
 
 }  // namespace
 
-ConvexMeshAlgorithm::ConvexMeshAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
-                                         const Narrowphase& narrowphase, const btCollisionObjectWrapper* body_0,
-                                         const btCollisionObjectWrapper* body_1, bool is_swapped)
+ConvexMeshAlgorithm::ConvexMeshAlgorithm(const btCollisionAlgorithmConstructionInfo& info, Narrowphase& narrowphase,
+                                         const btCollisionObjectWrapper* body_0, const btCollisionObjectWrapper* body_1,
+                                         bool is_swapped)
     : btConvexConcaveCollisionAlgorithm(info, body_0, body_1, is_swapped),
       narrowphase_(narrowphase),
-      step_(new (std::nothrow) MeshStep(*m_dispatcher)) {
+      step_(new (std::nothrow) MeshStep) {
   btManifoldArray manifolds;
   getAllContactManifolds(manifolds);
   if (manifolds.size() > 0) manifold_ = manifolds[0];
@@ -256,23 +254,24 @@ bool ConvexMeshAlgorithm::FindContacts(const btCollisionObjectWrapper& convex, c
   const bool uses_motion = narrowphase_.UsesMotion() && info.m_timeStep > 0 && !is_user_query;
   const PairMotion motion =
       uses_motion ? PairMotion(BoundedBody(body), BoundedBody(ground), double(info.m_timeStep)) : PairMotion();
-  const PairMotion reverse = motion.Reversed();
   const ContactRange range = RangeOfContacts(options, shared, motion, info, output);
-  const TriangleQuery query{.motion = motion,
-                            .reverse_motion = reverse,
-                            .limits = {range, PatchSettingsOf(options, shared, range, is_user_query), is_user_query},
-                            .flush = NegligibleDistance(shared.BreakingThreshold())};
-  TriangleVisit visit(convex, mesh, info, query, *m_dispatcher, *step_, output);
-  visit.Gather();
-  step_->pairs.EndStep();
-  Write(query, visit.HasForeign(), info, output);
+  const MeshQuery query{.motion = motion,
+                        .limits = {range, PatchSettingsOf(options, shared, range, is_user_query), is_user_query},
+                        .flush = NegligibleDistance(shared.BreakingThreshold())};
+  ContactGathering gathering({convex, mesh}, info, query, narrowphase_, *m_dispatcher, *step_, output);
+  gathering.Gather();
+  Write(query, gathering.HasForeign(), info, output);
   return true;
 } catch (const std::bad_alloc&) {
-  step_->pairs.EndStep();
   return false;
+} catch (const std::exception&) {
+  // The convex body's shape is none.
+  narrowphase_.CountFallback(convex.getCollisionShape()->getShapeType(), TRIANGLE_SHAPE_PROXYTYPE, Fallback::kInvalid);
+  manifold_->clearManifold();
+  return true;
 }
 
-void ConvexMeshAlgorithm::Write(const TriangleQuery& query, bool has_foreign, const btDispatcherInfo& info,
+void ConvexMeshAlgorithm::Write(const MeshQuery& query, bool has_foreign, const btDispatcherInfo& info,
                                 btManifoldResult& output) {
   DGD_ASSERT(manifold_ == output.getPersistentManifold());
   const ReducedContacts reduced =

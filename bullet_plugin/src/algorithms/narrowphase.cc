@@ -81,7 +81,8 @@ btCollisionAlgorithm* Narrowphase::PairCreateFunc<Algorithm>::CreateCollisionAlg
     const btCollisionObjectWrapper* body_1) {
   auto* algorithm = Make<Algorithm>(info, narrowphase, is_for_step);
   if (algorithm == nullptr) {
-    narrowphase.CountFallback(*body_0->getCollisionShape(), *body_1->getCollisionShape(), Fallback::kNoMemory);
+    narrowphase.CountFallback(body_0->getCollisionShape()->getShapeType(), body_1->getCollisionShape()->getShapeType(),
+                              Fallback::kNoMemory);
   }
   return algorithm;
 }

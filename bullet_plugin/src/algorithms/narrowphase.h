@@ -50,11 +50,11 @@ class Narrowphase : public SharedState {
     const bool is_for_step;
   };
   struct MeshCreateFunc : btCollisionAlgorithmCreateFunc {
-    MeshCreateFunc(const Narrowphase& shared, bool is_mesh_first) : narrowphase(shared), is_swapped(is_mesh_first) {}
+    MeshCreateFunc(Narrowphase& shared, bool is_mesh_first) : narrowphase(shared), is_swapped(is_mesh_first) {}
     btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
                                                    const btCollisionObjectWrapper* body_0,
                                                    const btCollisionObjectWrapper* body_1) override;
-    const Narrowphase& narrowphase;
+    Narrowphase& narrowphase;
     const bool is_swapped;
   };
 

@@ -34,7 +34,8 @@ class PairAlgorithm : public btCollisionAlgorithm {
   virtual PairOutcome RunPipeline(const PairCall& call) = 0;
 
   void Count(const PairBodies& bodies, const PairOutcome& outcome) {
-    pair_.narrowphase.Count(*bodies.first.getCollisionShape(), *bodies.second.getCollisionShape(), outcome);
+    pair_.narrowphase.Count(bodies.first.getCollisionShape()->getShapeType(),
+                            bodies.second.getCollisionShape()->getShapeType(), outcome);
   }
 
   PairState pair_;

@@ -6,10 +6,14 @@
 #include <new>
 
 #include "dgd/assert.h"
-#include "mesh/triangle_pairs.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
+
+void Destroy(btDispatcher& dispatcher, btCollisionAlgorithm* algorithm) {
+  algorithm->~btCollisionAlgorithm();
+  dispatcher.freeCollisionAlgorithm(algorithm);
+}
 
 btCollisionAlgorithm* ChildPairs::Find(int child, int other_child) {
   DGD_ASSERT(next_ <= pairs_.size());

@@ -16,6 +16,9 @@ class btPersistentManifold;
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
+/// Destroys an algorithm that came from a dispatcher.
+void Destroy(btDispatcher& dispatcher, btCollisionAlgorithm* algorithm);
+
 /// Children are visited in nearly the same order in each step, so each pair is searched from behind the one before.
 class ChildPairs {
  public:

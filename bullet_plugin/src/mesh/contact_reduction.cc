@@ -97,17 +97,23 @@ class Reduction {
     };
     // The middle of what they span, not their mean: a mesh has more corners in one place than in another.
     const Matrix3 axes = dgd::FrameAlong<double>(deepest.normal_on_b);
-    Vector3 low = axes.transpose() * deepest.on_b, high = low;
-    for (const MeshContact& contact : contacts_) {
-      if (!is_among(contact)) continue;
-      const Vector3 along = axes.transpose() * contact.on_b;
-      low = low.cwiseMin(along);
-      high = high.cwiseMax(along);
-    }
+    const auto middle_of = [&](Vector3 MeshContact::*place) -> Vector3 {
+      Vector3 low = axes.transpose() * deepest.*place, high = low;
+      for (const MeshContact& contact : contacts_) {
+        if (!is_among(contact)) continue;
+        const Vector3 along = axes.transpose() * contact.*place;
+        low = low.cwiseMin(along);
+        high = high.cwiseMax(along);
+      }
+      return axes * ((low + high) / 2);
+    };
     DGD_ASSERT(IsUnit(deepest.normal_on_b));
     MeshContact middle = deepest;
-    middle.on_b = axes * ((low + high) / 2);
-    middle.on_a += middle.on_b - deepest.on_b;
+    // Of contacts ahead of touching, the two places are apart, and the body has its arm at its own.
+    middle.on_a = middle_of(&MeshContact::on_a);
+    middle.on_b = middle_of(&MeshContact::on_b);
+    const double distance = (middle.on_a - middle.on_b).dot(middle.normal_on_b);
+    middle.on_a += (middle.separation - distance) * middle.normal_on_b;
     double nearest_sq = std::numeric_limits<double>::infinity();
     for (const MeshContact& contact : contacts_) {
       const double distance_sq = (contact.on_b - middle.on_b).squaredNorm();
@@ -207,6 +213,7 @@ class Reduction {
 ReducedContacts ReduceContacts(std::span<MeshContact> contacts, const dgd::PatchSettings<double>& settings,
                                const PairMotion& motion, const btPersistentManifold& manifold) {
   if (contacts.empty()) return {};
+  if (contacts.size() == 1) return {{contacts[0]}, 1};
   return Reduction(contacts, settings, motion, manifold).Choose();
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "bullet_conversions.h"
 #include "dgd/assert.h"
@@ -95,6 +96,7 @@ void MeshContacts::Begin(const btTransform& mesh) {
   mesh_ = &mesh;
   rotation_ = FromBullet(mesh).rotation;
   triangles_.clear();
+  normals_.clear();
   boxes_.clear();
   sorted_.clear();
   states_.clear();
@@ -105,7 +107,10 @@ void MeshContacts::Begin(const btTransform& mesh) {
 }
 
 int MeshContacts::AddTriangle(const btVector3* corners, int part, int index) {
-  triangles_.push_back({{corners[0], corners[1], corners[2]}, part, index});
+  const MeshTriangle& triangle = triangles_.emplace_back(std::array{corners[0], corners[1], corners[2]}, part, index);
+  const Vector3 area = rotation_ * AreaOf(triangle);
+  const double length_sq = area.squaredNorm();
+  normals_.push_back(length_sq > 0 ? Vector3(area / std::sqrt(length_sq)) : Vector3(Vector3::Zero()));
   Box box{corners[0], corners[0]};
   for (int i = 1; i < 3; ++i) {
     box.low.setMin(corners[i]);
@@ -183,36 +188,40 @@ bool MeshContacts::HasContacts(int triangle) const {
   return states_[static_cast<std::size_t>(triangle)] == State::kCounts;
 }
 
-Vector3 MeshContacts::NormalOf(int index) const {
-  const Vector3 area = AreaOf(triangle(index));
-  return area.squaredNorm() > 0 ? Vector3((rotation_ * area).normalized()) : Vector3(Vector3::Zero());
-}
-
 void MeshContacts::SortTriangles() {
   DGD_ASSERT(!boxes_.empty() && sorted_.empty());
-  btVector3 low = boxes_[0].low, high = low, width(0, 0, 0);
+  btVector3 low = boxes_[0].low, high = low;
+  widths_.setZero();
   for (const Box& box : boxes_) {
     low.setMin(box.low);
     high.setMax(box.low);
-    width.setMax(box.high - box.low);
+    widths_.setMax(box.high - box.low);
   }
-  sort_axis_ = (high - low).maxAxis();
-  max_width_ = width[sort_axis_];
-  for (int i = 0; i < triangles(); ++i) sorted_.push_back({boxes_[static_cast<std::size_t>(i)].low[sort_axis_], i});
+  const btVector3 spread = high - low;
+  row_axis_ = spread.maxAxis();
+  const int next = (row_axis_ + 1) % 3, last = (row_axis_ + 2) % 3;
+  along_axis_ = spread[next] > spread[last] ? next : last;
+  first_row_ = low[row_axis_];
+  row_width_ = btMax(widths_[row_axis_], btMax(spread[row_axis_] / btScalar(triangles()), btScalar(SIMD_EPSILON)));
+  for (int i = 0; i < triangles(); ++i) {
+    const btVector3& corner = boxes_[static_cast<std::size_t>(i)].low;
+    sorted_.push_back({RowOf(corner[row_axis_]), corner[along_axis_], i});
+  }
   std::sort(sorted_.begin(), sorted_.end(), [](const Sorted& a, const Sorted& b) {
-    return a.low < b.low || (a.low == b.low && a.triangle < b.triangle);
+    return std::tie(a.row, a.low, a.triangle) < std::tie(b.row, b.low, b.triangle);
   });
 }
 
+int MeshContacts::RowOf(btScalar place) const {
+  return static_cast<int>(btClamped((place - first_row_) / row_width_, btScalar(-1), btScalar(triangles())) + 1);
+}
+
 void MeshContacts::ClassifyFace(Patch& patch) {
-  const Vector3 area = AreaOf(triangle(patch.triangle));
-  if (!(area.squaredNorm() > 0)) return;
   DGD_ASSERT(patch.begin < patch.end && patch.end <= contacts_.size());
-  Vector3 face = rotation_ * area;
+  Vector3 face = NormalOf(patch.triangle);
   const Vector3 normal = contacts_[patch.begin].normal_on_b;
-  if (!(normal.cross(face).squaredNorm() <= kMaxSine * kMaxSine * face.squaredNorm())) return;
-  face.normalize();
   if (normal.dot(face) < 0) face = -face;
+  if (!AreAlike(normal, face)) return;
   for (std::size_t i = patch.begin; i < patch.end; ++i) contacts_[i].normal_on_b = face;
   patch.counts = true;
   states_[static_cast<std::size_t>(patch.triangle)] = State::kCounts;
@@ -256,14 +265,20 @@ void MeshContacts::ClassifyFeature(std::size_t index) {
   };
   State& state = states_[static_cast<std::size_t>(patch.triangle)];
   State found = State::kCounts;
-  auto next = std::lower_bound(sorted_.begin(), sorted_.end(), seen[sort_axis_] - max_width_ - tolerance,
-                               [](const Sorted& sorted, btScalar low) { return sorted.low < low; });
-  for (; next != sorted_.end() && next->low <= seen[sort_axis_] + tolerance && found != State::kCovered; ++next) {
-    const int i = next->triangle;
-    if (!boxes_[static_cast<std::size_t>(i)].Contains(seen, tolerance)) continue;
-    if (i == patch.triangle || !hides(triangle(i))) continue;
-    found = HasContacts(i) ? State::kCovered : State::kGhost;
-    if (found == State::kGhost) links_.push_back({patch.triangle, i});
+  const btScalar from = seen[along_axis_] - widths_[along_axis_] - tolerance;
+  const int last_row = RowOf(seen[row_axis_] + tolerance);
+  for (int row = RowOf(seen[row_axis_] - widths_[row_axis_] - tolerance); row <= last_row && found != State::kCovered;
+       ++row) {
+    auto next = std::lower_bound(sorted_.begin(), sorted_.end(), std::tie(row, from),
+                                 [](const Sorted& a, const auto& b) { return std::tie(a.row, a.low) < b; });
+    for (; next != sorted_.end() && next->row == row && next->low <= seen[along_axis_] + tolerance; ++next) {
+      const int i = next->triangle;
+      if (!boxes_[static_cast<std::size_t>(i)].Contains(seen, tolerance)) continue;
+      if (i == patch.triangle || !hides(triangle(i))) continue;
+      found = HasContacts(i) ? State::kCovered : State::kGhost;
+      if (found == State::kCovered) break;
+      links_.push_back({patch.triangle, i});
+    }
   }
   patch.counts = found == State::kCounts;
   // Contacts along another normal that count stay valid.

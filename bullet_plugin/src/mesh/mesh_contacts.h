@@ -69,7 +69,10 @@ class MeshContacts {
   bool HasContacts(int triangle) const;
 
   /// Unit normal of a triangle, world, on either side of it; zero if it has no area.
-  Vector3 NormalOf(int triangle) const;
+  const Vector3& NormalOf(int index) const {
+    DGD_ASSERT(index >= 0 && static_cast<std::size_t>(index) < normals_.size());
+    return normals_[static_cast<std::size_t>(index)];
+  }
 
   int triangles() const { return static_cast<int>(triangles_.size()); }
   const MeshTriangle& triangle(int index) const {
@@ -106,8 +109,9 @@ class MeshContacts {
     int size;
   };
 
-  /// Sorts the triangles along the axis that they spread most on.
+  /// Sorts the triangles into rows, and along these, by the two axes that they spread most on.
   void SortTriangles();
+  int RowOf(btScalar place) const;
   void ClassifyFace(Patch& patch);
   bool IsOnSeam(const MeshContact& contact) const;
   void ClassifyFeature(std::size_t patch);
@@ -117,13 +121,16 @@ class MeshContacts {
   const btTransform* mesh_ = nullptr;
   Matrix3 rotation_;
   std::vector<MeshTriangle> triangles_;
-  std::vector<Box> boxes_;  // Boxes of the triangles.
+  std::vector<Vector3> normals_;  // See NormalOf().
+  std::vector<Box> boxes_;        // Boxes of the triangles.
   struct Sorted {
-    btScalar low;  // The box's lower end.
+    int row;
+    btScalar low;  // The box's lower end along the row.
     int triangle;
   };
-  int sort_axis_ = 0;
-  btScalar max_width_ = 0;  // Largest width of a box along that axis.
+  int row_axis_ = 0, along_axis_ = 0;       // Axes that count the rows, and that go along them.
+  btScalar first_row_ = 0, row_width_ = 1;  // Metres.
+  btVector3 widths_;                        // Largest widths of boxes.
   std::vector<Sorted> sorted_;
   std::vector<State> states_;  // States of the triangles.
   std::vector<Patch> patches_;

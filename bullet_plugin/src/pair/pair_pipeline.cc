@@ -8,12 +8,15 @@
 #include <optional>
 #include <utility>
 
+#include "bullet_conversions.h"
 #include "contact_range.h"
 #include "dgd/assert.h"
+#include "lengths.h"
 #include "pair/pair_patch.h"
 #include "pair/pair_query.h"
 #include "pair/separating_axis.h"
 #include "pair/shared_stages.h"
+#include "shapes/shape_adapter.h"
 #include "user_query.h"
 
 namespace dgd_bullet {
@@ -27,6 +30,18 @@ void Swap(PairContacts& contacts) {
     std::swap(point.on_1, point.on_2);
   }
   contacts.normal = -contacts.normal;
+}
+
+Pose PoseOfSet(const btCollisionObjectWrapper& body) {
+  return FromBullet(body.getWorldTransform(), UpAxis(ConvexShapeOf(body)));
+}
+
+/// Brings the cache into the order of a query.
+void BringIntoOrder(PairCache& cache, const PairBodies& solved, bool is_swapped) {
+  if (is_swapped != cache.IsSwapped()) cache.SwapOrder(PoseOfSet(solved.first), PoseOfSet(solved.second));
+  for (const auto& hull : {&cache.hull_a(), &cache.hull_b()}) {
+    if (*hull != nullptr) (*hull)->Prefetch();
+  }
 }
 
 /// The second stage: a pair that had no contact is still farther apart along the last normal than it may approach in
@@ -54,8 +69,11 @@ PairOutcome SolveContacts(PairState& pair, PairCache& cache, const PairCall& cal
   const PairOutcome outcome = CatchFailures([&] {
     const ContactRange range = RangeOfContacts(options, pair.manifold, contacts.motion, call.info, call.output);
     const QueryLimits limits{range, PatchSettingsOf(options, pair.manifold, range, is_user_query), is_user_query};
-    PairQuery query(pair.narrowphase, solved, is_swapped, limits, pair.manifold.BreakingThreshold(), contacts.motion,
-                    cache);
+    BringIntoOrder(cache, solved, is_swapped);
+    const PosedShape a = AdaptBody(pair.narrowphase, solved.first, cache.hull_a(), is_user_query);
+    const PosedShape b = AdaptBody(pair.narrowphase, solved.second, cache.hull_b(), is_user_query);
+    PairQuery query(options, a, b, limits, NegligibleDistance(pair.manifold.BreakingThreshold()), contacts.motion,
+                    cache.warm_start());
     return query.FindContacts(contacts);
   });
   if (outcome.fallback) return outcome;
@@ -72,33 +90,6 @@ PairOutcome RunPipeline(PairState& pair, PairCache& cache, const PairCall& call)
   if (const auto outcome = TryCachedAxis(pair, cache, call)) return *outcome;
   const PairOutcome outcome = SolveContacts(pair, cache, call);
   return outcome.fallback ? SolveByBullet(pair, call, *outcome.fallback) : outcome;
-}
-
-PairOutcome FindTriangleContacts(PairState& pair, PairCache& cache, const PairBodies& convex_and_triangle,
-                                 const Vector3& normal, const TriangleQuery& triangle_query, PairContacts& contacts) {
-  contacts.patch.size = 0;
-  contacts.moment = {};
-  const bool is_swapped = ComesBefore(convex_and_triangle.second, convex_and_triangle.first);
-  DGD_ASSERT(!pair.manifold.IsOwn());
-  const PairMotion& motion = is_swapped ? triangle_query.reverse_motion : triangle_query.motion;
-  const double contact_distance = std::max(triangle_query.limits.range.touching, 0.0);
-  const auto get_motion = [&](const BoundedBody&, const BoundedBody&) -> const PairMotion& { return motion; };
-  if (const auto outcome = TryCachedAxis(pair, cache, convex_and_triangle, contact_distance, get_motion))
-    return *outcome;
-  const PairOutcome outcome = CatchFailures([&] {
-    QueryLimits limits = triangle_query.limits;
-    limits.triangle_normal = normal;
-    PairQuery query(pair.narrowphase, convex_and_triangle.InOrder(is_swapped), is_swapped, limits,
-                    pair.manifold.BreakingThreshold(), motion, cache);
-    return query.FindContacts(contacts);
-  });
-  if (outcome.fallback) {
-    contacts.patch.size = 0;
-    return outcome;
-  }
-  pair.had_contact = contacts.patch.size > 0;
-  if (is_swapped) Swap(contacts);
-  return outcome;
 }
 
 }  // namespace DGD_BULLET_PRECISION

@@ -37,19 +37,6 @@ bool IsCertified(const Contact& contact) {
   }
 }
 
-Pose PoseOfSet(const btCollisionObjectWrapper& body) {
-  return FromBullet(body.getWorldTransform(), UpAxis(ConvexShapeOf(body)));
-}
-
-/// The cache in the order of a query.
-PairCache& InOrder(PairCache& cache, const PairBodies& solved, bool is_swapped) {
-  if (is_swapped != cache.IsSwapped()) cache.SwapOrder(PoseOfSet(solved.first), PoseOfSet(solved.second));
-  for (const auto& hull : {&cache.hull_a(), &cache.hull_b()}) {
-    if (*hull != nullptr) (*hull)->Prefetch();
-  }
-  return cache;
-}
-
 dgd::Settings<double> SettingsOf(const Options& options, const QueryLimits& limits, const PairMotion& motion) {
   return {.relative_tolerance =
               limits.is_user_query ? std::min(kExact, options.relative_tolerance) : options.relative_tolerance,
@@ -65,22 +52,32 @@ PosedShape AdaptBody(SharedState& narrowphase, const btCollisionObjectWrapper& b
                     narrowphase.hulls(), hull, narrowphase.HullUseFor(for_user));
 }
 
-PairQuery::PairQuery(SharedState& narrowphase, const PairBodies& solved, bool is_swapped, const QueryLimits& limits,
-                     double breaking_threshold, const PairMotion& motion, PairCache& cache)
-    : options_(narrowphase.options()),
-      cache_(InOrder(cache, solved, is_swapped)),
-      shape_a_(AdaptBody(narrowphase, solved.first, cache.hull_a(), limits.is_user_query)),
-      shape_b_(AdaptBody(narrowphase, solved.second, cache.hull_b(), limits.is_user_query)),
+PairQuery::PairQuery(const Options& options, const PosedShape& shape_a, const PosedShape& shape_b,
+                     const QueryLimits& limits, double flush, const PairMotion& motion,
+                     dgd::WarmStart<double>& warm_start)
+    : options_(options),
+      warm_start_(warm_start),
+      shape_a_(shape_a),
+      shape_b_(shape_b),
       limits_(limits),
-      rules_{limits.range, limits.patch_settings, motion, NegligibleDistance(breaking_threshold)},
-      settings_(SettingsOf(options_, limits, motion)) {
-  if (!options_.warm_start) cache.Clear();
+      rules_{limits.range, limits.patch_settings, motion, flush},
+      settings_(SettingsOf(options, limits, motion)),
+      is_along_centers_(TouchAlongCenters(shape_a, shape_b)) {
+  if (!options_.warm_start) warm_start_ = {};
   MoveCentersTogether(shape_a_, shape_b_);
 }
 
 Contact PairQuery::FindContact() {
+  if (is_along_centers_) {
+    const Contact contact = ContactAlongCenters(shape_a_, shape_b_);
+    if (IsCertified(contact)) {
+      warm_start_ = {};
+      warm_start_.normal_1 = (shape_a_.pose.rotation.transpose() * contact.normal).normalized();
+      return contact;
+    }
+  }
   Contact contact =
-      dgd::GrowthDistance(shape_a_.set, shape_a_.pose, shape_b_.set, shape_b_.pose, settings_, &cache_.warm_start());
+      dgd::GrowthDistance(shape_a_.set, shape_a_.pose, shape_b_.set, shape_b_.pose, settings_, &warm_start_);
   if (!IsCertified(contact) || contact.status == dgd::Status::kSeparated) return contact;
   if (contact.separation < -rules_.flush) TurnToTriangle(contact);
   if (limits_.is_user_query) {
@@ -90,7 +87,7 @@ Contact PairQuery::FindContact() {
   } else {
     return contact;
   }
-  TurnToLeastTranslation(shape_a_, shape_b_, settings_, cache_.warm_start(), contact);
+  TurnToLeastTranslation(shape_a_, shape_b_, settings_, warm_start_, contact);
   return contact;
 }
 
@@ -112,12 +109,18 @@ void PairQuery::TurnToTriangle(Contact& contact) const {
 }
 
 void PairQuery::FindPatch(Contact& contact, PairContacts& contacts) {
-  dgd::WarmStart<double> warm_start = cache_.warm_start();
+  dgd::WarmStart<double> warm_start = warm_start_;
   const auto plane_between = [&](const Pose& pose_a, const Pose& pose_b) {
+    if (is_along_centers_) {
+      PosedShape a{shape_a_.set, pose_a}, b{shape_b_.set, pose_b};
+      MoveCentersTogether(a, b);
+      if (const Contact plane = ContactAlongCenters(a, b); IsCertified(plane)) return plane;
+    }
     return dgd::PlaneBetween(shape_a_.set, pose_a, shape_b_.set, pose_b, warm_start);
   };
   const auto patch_of = [&](const PosedShape& a, const PosedShape& b, const Contact& certified, const Moment& moment) {
     if (!options_.contact_patch) return WitnessOnly(certified);
+    if (is_along_centers_) return WitnessOnly(certified);
     dgd::FacingFaces<double> facing;
     dgd::FindFacingFaces(a.set, a.pose, b.set, b.pose, certified, facing);
     contacts.side = dgd::ReferenceSideOf(facing);

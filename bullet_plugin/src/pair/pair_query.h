@@ -34,12 +34,12 @@ struct QueryLimits {
 /// The shapes A and B, in the order that they are solved in, and what is wanted of them.
 class PairQuery {
  public:
-  /// Reads the shapes, and brings the cache into their order. Throws what AdaptShape() does.
-  /// @param solved  The bodies in that order.
-  /// @param limits  Outlives this.
-  /// @param motion  The motion of A and B in the step; outlives this.
-  PairQuery(SharedState& narrowphase, const PairBodies& solved, bool is_swapped, const QueryLimits& limits,
-            double breaking_threshold, const PairMotion& motion, PairCache& cache);
+  /// @param limits      Outlives this.
+  /// @param flush       Metres: NegligibleDistance().
+  /// @param motion      The motion of A and B in the step; outlives this.
+  /// @param warm_start  In and out: that of the pair in this order.
+  PairQuery(const Options& options, const PosedShape& shape_a, const PosedShape& shape_b, const QueryLimits& limits,
+            double flush, const PairMotion& motion, dgd::WarmStart<double>& warm_start);
 
   /// Finds the contact and from it the patch.
   /// @param contacts  Out: all but the motion, the normal from A to B.
@@ -58,11 +58,12 @@ class PairQuery {
   PairOutcome OutcomeOf(const Contact& contact, int patch_size) const;
 
   const Options& options_;
-  PairCache& cache_;
+  dgd::WarmStart<double>& warm_start_;
   PosedShape shape_a_, shape_b_;
   const QueryLimits& limits_;
   const PatchRules rules_;
   dgd::Settings<double> settings_;
+  const bool is_along_centers_;  // See TouchAlongCenters().
   PairOutcome::Stage stage_ = PairOutcome::Stage::kSolved;
 };
 

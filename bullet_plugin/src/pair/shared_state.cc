@@ -43,8 +43,7 @@ Statistics SharedState::statistics() const {
   return statistics;
 }
 
-void SharedState::CountFallback(const btCollisionShape& shape_0, const btCollisionShape& shape_1, Fallback fallback) {
-  const int type_0 = shape_0.getShapeType(), type_1 = shape_1.getShapeType();
+void SharedState::CountFallback(int type_0, int type_1, Fallback fallback) {
   DGD_ASSERT(static_cast<std::size_t>(fallback) < kFallbacks);
   const bool is_first = fallbacks_[static_cast<std::size_t>(fallback)].fetch_add(1, std::memory_order_relaxed) == 0;
   if (is_first && options_.on_first_fallback != nullptr) {

@@ -1,7 +1,6 @@
 // What the pairs of one dispatcher share: options, hulls, counters, and Bullet's own algorithm to fall back to.
 #pragma once
 
-#include <BulletCollision/CollisionShapes/btCollisionShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 
 #include <array>
@@ -42,14 +41,14 @@ class SharedState {
   }
   Statistics statistics() const;
 
-  /// Counts how a call of two shapes has ended.
-  void Count(const btCollisionShape& shape_0, const btCollisionShape& shape_1, const PairOutcome& outcome) {
-    if (outcome.fallback) return CountFallback(shape_0, shape_1, *outcome.fallback);
-    if (pair_counters_ != nullptr) pair_counters_->Count(shape_0.getShapeType(), shape_1.getShapeType(), outcome);
+  /// Counts how a call of shapes of two types has ended.
+  void Count(int type_0, int type_1, const PairOutcome& outcome) {
+    if (outcome.fallback) return CountFallback(type_0, type_1, *outcome.fallback);
+    if (pair_counters_ != nullptr) pair_counters_->Count(type_0, type_1, outcome);
   }
 
   /// Counts a call that has not been solved, and reports the first of its kind.
-  void CountFallback(const btCollisionShape& shape_0, const btCollisionShape& shape_1, Fallback fallback);
+  void CountFallback(int type_0, int type_1, Fallback fallback);
 
   /// Solves the pair by Bullet's GJK/EPA, into output's manifold.
   void FallBack(btDispatcher& dispatcher, const btCollisionObjectWrapper* body_0,
