@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -225,6 +226,38 @@ TEST_F(AnySetTest, CentreThatMoves_IsTheOneThatIsScaledAbout) {
   AnySet ball = dgd::Sphere(1.0);
   ball.MoveCenterNear({1, 1, 1});
   EXPECT_EQ(ball.Center(), Vector3::Zero().eval());
+}
+
+/// A capsule of radius 0.2 and half length 0.5 behind a support function that computes in float.
+dgd::SupportPoint<double> FloatCapsule(const void*, const Vector3& direction) {
+  const Eigen::Vector3f outwards = direction.cast<float>().normalized();
+  return {(0.2F * outwards + std::copysign(0.5F, outwards.z()) * Eigen::Vector3f::UnitZ()).cast<double>()};
+}
+
+// Faces of an expanding polytope that are narrower than the root of that roundoff had no planes: one query in ten took
+// hundreds of evaluations.
+TEST_F(AnySetTest, SupportInFloat_EndsInFewEvaluationsWithPointsOnBothSets) {
+  constexpr double kAccuracy = 4.8e-7;
+  const AnySet box = RoundedSet{dgd::Box<double>({0.5, 0.5, 0.5})};
+  const AnySet in_float = RoundedSet{dgd::CustomCore(nullptr, FloatCapsule, Vector3::Zero(), 0, kAccuracy)};
+  const AnySet exact = dgd::Capsule(0.2, 0.5), point = RoundedSet{dgd::Point<double>()};
+  const auto distance_to = [&](const AnySet& set, const Pose& pose, const Vector3& place) {
+    return dgd::SignedDistance(set, pose, point, Pose{Eigen::Matrix3d::Identity(), place}).separation;
+  };
+  int overlaps = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Pose pose_1, pose_2 = RandomPose(0.9);
+    dgd::Result<double> start;  // A direction alone.
+    const auto result = dgd::SignedDistance(box, pose_1, in_float, pose_2, start, nullptr, {.max_iterations = 500});
+    const auto expected = dgd::SignedDistance(box, pose_1, exact, pose_2);
+    EXPECT_EQ(result.status, dgd::Status::kOptimal);
+    EXPECT_LE(result.iterations, 64);
+    EXPECT_NEAR(result.separation, expected.separation, 0.01 * std::abs(std::min(expected.separation, 0.0)) + 2e-6);
+    EXPECT_NEAR(distance_to(box, pose_1, result.witness_1), 0, 1e-5);
+    EXPECT_NEAR(distance_to(exact, pose_2, result.witness_2), 0, 1e-5);
+    overlaps += result.separation < 0 ? 1 : 0;
+  }
+  EXPECT_GT(overlaps, 100);
 }
 
 }  // namespace

@@ -20,12 +20,13 @@ constexpr double kRounding = 1e-15;
 
 Feature At(const Point& point) {
   Feature feature;
-  feature.point = point;
+  feature.point = feature.on_1 = point;
   return feature;
 }
 
-dgd::EpaPolytope<double> Start() {
-  return {{At({1, 1, 1}), At({1, -1, -1}), At({-1, 1, -1}), At({-1, -1, 1})}, kRounding, 1};
+/// @param error  Of points, metres.
+dgd::EpaPolytope<double> Start(double error = kRounding) {
+  return {{At({1, 1, 1}), At({1, -1, -1}), At({-1, 1, -1}), At({-1, -1, 1})}, kRounding, 1, error};
 }
 
 // Every square face of the cube gets four corners in one plane, and half of its diagonals are edges already.
@@ -56,10 +57,28 @@ TEST(EpaPolytope, PointInLineWithAnEdge_LeavesNoGap) {
 // A needle's faces know no plane, but where they are.
 TEST(EpaPolytope, OnlySlivers_StillHaveANearestPoint) {
   const dgd::EpaPolytope<double> needle({At({0, 0, -1}), At({0, 0, 1}), At({1e-12, 0, 0}), At({0, 1e-12, 0})},
-                                        kRounding, 1);
+                                        kRounding, 1, kRounding);
   EXPECT_TRUE(needle.IsSliver(needle.Nearest()));
   EXPECT_EQ(needle.Inradius(), 0);
   EXPECT_NEAR((needle.NearestTo({0, 0, 2}).point - Point(0, 0, 1)).norm(), 0, 1e-11);
+}
+
+// What a support function in float gives: a place that is below all faces by that is on the surface, and no new point.
+TEST(EpaPolytope, PointsWithAnError_MakeASurfaceAllTheSame) {
+  constexpr double kError = 1e-6, kStep = 1e-4;
+  dgd::EpaPolytope<double> polytope = Start(kError);
+  for (const Point& corner : {Point(-1, -1, -1), Point(-1, 1, 1), Point(1, -1, 1), Point(1, 1, -1)}) {
+    EXPECT_TRUE(polytope.Add(At(corner)));
+  }
+  EXPECT_FALSE(polytope.Add(At({1 + kError / 2, 0.1, 0.2})));
+  for (const double x : {1 - kError / 2, 1 + kError / 2}) {
+    EXPECT_NEAR((polytope.NearestTo({x, 0.3, -0.6}).on_1 - Point(1, 0.3, -0.6)).norm(), 0, kError);
+  }
+  // Faces much narrower than the root of the error have planes.
+  EXPECT_TRUE(polytope.Add(At({1 + kStep, 0, 0})));
+  EXPECT_TRUE(polytope.Add(At({1 + 1.5 * kStep, kStep, 0})));
+  EXPECT_TRUE(polytope.Add(At({1 + 1.8 * kStep, 0, kStep})));
+  EXPECT_NEAR((polytope.NearestTo({2, 0, kStep}).on_1 - Point(1 + 1.8 * kStep, 0, kStep)).norm(), 0, kRounding);
 }
 
 // Against the supporting planes of all points: the nearest face's plane is one of the hull's.

@@ -34,15 +34,14 @@ class EpaPolytope {
     std::array<std::uint8_t, 3> corners;  ///< Counterclockwise seen from outside.
 
     S Height(const Vector3<S>& point) const { return normal.dot(point) - distance; }
-    /// Whether a point is below the face's plane, by more than roundoff; none is below a sliver, which has no plane.
-    bool HasBelow(const Vector3<S>& point) const { return Height(point) < -slack; }
   };
 
   /// @param corners   Corners of a tetrahedron that holds the origin, but for roundoff.
   /// @param roundoff  Roundoff of the points, metres.
   /// @param reach     Distance of the points from each other, about; metres.
-  EpaPolytope(const std::array<Feature, 4>& corners, S roundoff, S reach)
-      : roundoff_(roundoff), reach_(reach), size_(4) {
+  /// @param error     How far the points may be off the set, metres, at least the roundoff: for Add() alone.
+  EpaPolytope(const std::array<Feature, 4>& corners, S roundoff, S reach, S error)
+      : roundoff_(roundoff), reach_(reach), error_(error), size_(4) {
     DGD_ASSERT(!(roundoff < 0) && !(reach < 0));
     std::copy(corners.begin(), corners.end(), points_.begin());
     const auto to = [&](std::size_t i) -> Vector3<S> { return points_[i].point - points_[0].point; };
@@ -121,12 +120,11 @@ class EpaPolytope {
     return nearest;
   }
 
-  /// The part of the surface that is nearest to a point on or outside of it, about that point.
+  /// The part of the surface that is nearest to a point outside of it, or on it within the points' error, about that.
   GjkSimplex<S> TriangleNearestTo(const Vector3<S>& target) const {
     GjkSimplex<S> nearest;
     S least = std::numeric_limits<S>::infinity();
-    std::for_each(faces_.begin(), End(), [&](const Face& face) {
-      if (face.HasBelow(target)) return;
+    const auto take_if_nearer = [&](const Face& face) {
       std::array<Feature, 3> corners = CornersOf(face);
       for (Feature& corner : corners) corner.point -= target;
       const GjkSimplex<S> triangle(corners, 3);
@@ -134,17 +132,22 @@ class EpaPolytope {
       if (!(distance_sq < least)) return;
       least = distance_sq;
       nearest = triangle;
+    };
+    take_if_nearer(Nearest());  // Should points be off by more than they say, and the target below all faces.
+    std::for_each(faces_.begin(), End(), [&](const Face& face) {
+      if (!(face.Height(target) < -face.slack - error_)) take_if_nearer(face);
     });
+    DGD_ASSERT(nearest.Size() > 0 || std::isnan(target.sum()));
     return nearest;
   }
 
   /// Takes in a point of the set.
-  /// @return false, and nothing changes, if the point is not in front of any face by more than roundoff, or there is no
-  ///         room for it.
+  /// @return false, and nothing changes, if the point is not in front of any face by more than the points' error, or
+  ///         there is no room for it.
   bool Add(const Feature& added) {
     if (size_ == kMaxPoints) return false;
     Visible visible;
-    if (!(FindVisible(added.point, visible) > roundoff_)) return false;
+    if (!(FindVisible(added.point, visible) > error_)) return false;
     Hole hole;
     const std::size_t replaced = CollectReplaced(visible, hole);
     if (replaced == face_count_) return false;
@@ -293,7 +296,7 @@ class EpaPolytope {
     }
   }
 
-  S roundoff_, reach_;
+  S roundoff_, reach_, error_;
   S widest_sliver_ = 0;  // Width of the widest sliver that there ever was.
   std::size_t size_, face_count_ = 0, nearest_ = 0;
   std::array<Point, kMaxPoints> points_;

@@ -60,7 +60,7 @@ class EpaSearch {
   /// @param corners  Of a tetrahedron that holds the origin.
   DGD_NOINLINE Status RunFrom(const std::array<Feature, 4>& corners) {
     if constexpr (Difference::kIsSmooth) FindSupportOfBestPlane();
-    EpaPolytope<S> polytope(corners, bounds_.SupportError(), bounds_.size);
+    EpaPolytope<S> polytope(corners, bounds_.RoundoffBound(), bounds_.size, bounds_.SupportError());
     return RunEpa(polytope);
   }
 
@@ -219,7 +219,7 @@ class EpaSearch {
       corners[static_cast<std::size_t>(i)] = bounds_.CutOutOfLine((middle + tilt * aside).normalized());
     }
     corners[3] = bounds_.CutOutOfLine(-middle);
-    EpaPolytope<S> polytope(corners, bounds_.SupportError(), bounds_.size);
+    EpaPolytope<S> polytope(corners, bounds_.RoundoffBound(), bounds_.size, bounds_.SupportError());
     for (;;) {
       if (bounds_.IsExhausted()) return Nearby::kExhausted;
       const auto face = polytope.NearestAlong(middle, kAside);

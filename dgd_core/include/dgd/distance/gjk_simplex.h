@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -168,6 +169,7 @@ class GjkSimplex {
  private:
   /// Finds the nearest point by its weights, and drops the points without one.
   void TakeWeights(const std::array<S, 3>& weights) {
+    DGD_ASSERT(!(std::abs(weights[0] + weights[1] + weights[2] - 1) > 16 * kEpsilon<S>));
     const std::size_t size = size_;
     size_ = 0;
     nearest_.setZero();

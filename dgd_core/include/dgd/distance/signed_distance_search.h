@@ -160,7 +160,8 @@ class SignedDistanceSearch {
     std::size_t count = 0;
     ForEachPoint(last, Point::Zero(), [&](const Feature& point) { points[count++] = point; });
     if (count < 4) return StalledOrInvalid();
-    EpaPolytope<S> polytope({points[0], points[1], points[2], points[3]}, bounds_.SupportError(), bounds_.size);
+    EpaPolytope<S> polytope({points[0], points[1], points[2], points[3]}, bounds_.RoundoffBound(), bounds_.size,
+                            bounds_.SupportError());
     if (!(polytope.Inradius() > bounds_.RoundoffBound())) {
       simplex_ = GjkSimplex<S>(polytope.CornersOf(polytope.Nearest()), 3);
       return RunGjk();
@@ -239,7 +240,7 @@ class SignedDistanceSearch {
       const Point normal = NextNormalApart();
       const Feature support = bounds_.Cut(normal);
       if (HasGoodPoints()) return bounds_.Finish(Status::kOptimal, simplex_.Combination());
-      if (is_update_ && IsBeyondLimit()) return Status::kSeparated;
+      if (IsBeyondLimit()) return Status::kSeparated;
       if (simplex_.HoldsOriginWith(support.point)) {
         if (is_update_ && !Difference::kIsPolytope) return Status::kStalled;
         return epa_.RunFrom({simplex_[0], simplex_[1], simplex_[2], support});
