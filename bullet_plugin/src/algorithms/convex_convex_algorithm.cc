@@ -13,6 +13,7 @@
 #include "dgd/assert.h"
 #include "pair/pair_pipeline.h"
 #include "prefetch.h"
+#include "separation_report.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {

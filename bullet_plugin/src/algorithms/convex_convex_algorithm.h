@@ -8,8 +8,6 @@
 #include "algorithms/pair_algorithm.h"
 #include "dgd_bullet/linkage.h"
 #include "pair/pair_cache.h"
-#include "pair/pair_patch.h"
-#include "pair/separating_axis.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {

@@ -21,18 +21,6 @@ namespace {
 /// is: within 6 degrees of the triangle's plane, the side would be chance.
 constexpr double kMinFacing = 0.1;
 
-/// The faces that the shapes show each other along result.normal.
-dgd::FacingFaces<double> FindFacing(const PosedShape& shape, const PosedShape& triangle, const Contact& result) {
-  dgd::FacingFaces<double> facing;
-  dgd::FindFacingFaces(shape.set, shape.pose, triangle.set, triangle.pose, result, facing);
-  if (facing.face_1.size == 0) {
-    // A shape that shows no faces touches at its farthest point.
-    facing.face_1.Add(facing.frame.FromWorld(result.witness_1));
-    facing.FindOverlap();
-  }
-  return facing;
-}
-
 dgd::AnySet TriangleOf(const MeshTriangle& triangle, double margin) {
   const auto corner = [&](std::size_t i) { return FromBullet(triangle.corners[i]); };
   return dgd::RoundedSet{dgd::Triangle<double>(corner(0), corner(1), corner(2)), margin};
@@ -59,8 +47,8 @@ void TriangleQuery::Place(const MeshTriangle& triangle, const Vector3& normal) {
   limits_.triangle_normal = normal;
 }
 
-bool TriangleQuery::IsApartAlong(const Vector3& normal, double distance) const {
-  const double separation = normal.dot(SupportPoint(triangle_, -normal) - SupportPoint(convex_, normal));
+bool TriangleQuery::IsApartAlong(const Vector3& normal, const Vector3& on_triangle, double distance) const {
+  const double separation = normal.dot(on_triangle - SupportPoint(convex_, normal));
   return separation > distance && !query_.motion.MayApproachBy(separation, normal);
 }
 
@@ -71,16 +59,16 @@ bool TriangleQuery::IsOutOfPlane(const MeshTriangle& triangle, const Vector3& no
   // Mostly without the support function.
   if (std::abs(height) <= inradius_ + margin_ + limits_.range.touching) return false;
   const Vector3 towards = height > 0 ? Vector3(-normal) : normal;
-  const double separation = towards.dot(corner - SupportPoint(convex_, towards)) - margin_;
-  return separation > limits_.range.touching && !query_.motion.MayApproachBy(separation, towards);
+  return IsApartAlong(towards, corner - margin_ * towards, limits_.range.touching);
 }
 
 PairOutcome TriangleQuery::FindContacts(TriangleState& state, PairContacts& contacts) {
   contacts.patch.size = 0;
   contacts.moment = {};
   if (!options_.warm_start) state = {};
+  const Vector3 last = convex_.pose.rotation * state.warm_start.normal_1;
   if (!state.had_contact && dgd::HasNormal(state.warm_start) &&
-      IsApartAlong(convex_.pose.rotation * state.warm_start.normal_1, std::max(limits_.range.touching, 0.0))) {
+      IsApartAlong(last, SupportPoint(triangle_, -last), std::max(limits_.range.touching, 0.0))) {
     return kApart;
   }
   state.had_contact = false;
@@ -113,7 +101,13 @@ void TriangleQuery::FindFaceContacts(const TriangleState& state, PairContacts& c
   contact.witness_1 = SupportPoint(pair.a(), contact.normal);
   contact.separation = contact.normal.dot(SupportPoint(pair.b(), -contact.normal) - contact.witness_1);
   contact.witness_2 = contact.witness_1 + contact.separation * contact.normal;
-  const dgd::FacingFaces<double> facing = FindFacing(pair.a(), pair.b(), contact);
+  dgd::FacingFaces<double> facing;
+  dgd::FindFacingFaces(pair.a().set, pair.a().pose, pair.b().set, pair.b().pose, contact, facing);
+  if (facing.face_1.size == 0) {
+    // A shape that shows no faces touches at its farthest point.
+    facing.face_1.Add(facing.frame.FromWorld(contact.witness_1));
+    facing.FindOverlap();
+  }
   const dgd::Corner<double>* nearest = facing.Nearest();
   if (nearest == nullptr) return;
   contact.separation = nearest->Separation();

@@ -36,8 +36,7 @@ class TriangleQuery {
   /// Whether the body is a ball, whose nearest point is its only one: all that it meets next has a contact already.
   bool IsOfBall() const { return TouchAlongCenters(convex_, triangle_); }
 
-  /// Turns to a triangle, which the other members are about. Throws std::invalid_argument if its corners are not
-  /// finite.
+  /// Turns to a triangle, which the other members are about. Throws std::invalid_argument if it is not finite.
   void Place(const MeshTriangle& triangle, const Vector3& normal);
 
   /// Finds the contacts with the triangle.
@@ -51,7 +50,7 @@ class TriangleQuery {
   void FindFaceContacts(const TriangleState& state, PairContacts& contacts) const;
 
  private:
-  bool IsApartAlong(const Vector3& normal, double distance) const;
+  bool IsApartAlong(const Vector3& normal, const Vector3& on_triangle, double distance) const;
   bool IsTowards(const TriangleState& state) const;
 
   const Options& options_;

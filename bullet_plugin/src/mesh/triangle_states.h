@@ -29,8 +29,7 @@ class TriangleStates {
   void Begin();
 
   /// Adds a triangle's state: that of the last step, or a new one.
-  /// @param part, index  Bullet's numbers of the triangle; two may share them, as the halves of a heightfield's
-  /// squares.
+  /// @param part, index  Bullet's numbers of the triangle. The halves of a heightfield's squares share them.
   /// @return its number.
   int Add(int part, int index);
 

@@ -4,7 +4,7 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 
-#include <algorithm>
+#include <exception>
 #include <optional>
 #include <utility>
 
@@ -16,6 +16,7 @@
 #include "pair/pair_query.h"
 #include "pair/separating_axis.h"
 #include "pair/shared_stages.h"
+#include "separation_report.h"
 #include "shapes/shape_adapter.h"
 #include "user_query.h"
 
@@ -46,13 +47,36 @@ void BringIntoOrder(PairCache& cache, const PairBodies& solved, bool is_swapped)
 
 /// The second stage: a pair that had no contact is still farther apart along the last normal than it may approach in
 /// the step.
-std::optional<PairOutcome> TryCachedAxis(const PairState& pair, const PairCache& cache, const PairCall& call) {
+std::optional<PairOutcome> TryCachedAxis(const PairState& pair, const PairCache& cache, const PairCall& call) try {
   const Options& options = pair.options();
+  if (pair.had_contact || !cache.HasNormal() || !options.warm_start || options.geometry_mode != GeometryMode::kBullet) {
+    return std::nullopt;
+  }
+  const bool is_swapped = ComesBefore(call.bodies.second, call.bodies.first);
+  if (is_swapped != cache.IsSwapped()) return std::nullopt;
+  const PairBodies solved = call.bodies.InOrder(is_swapped);
+  const BoundedBody bounded_a(*solved.first.getCollisionObject()), bounded_b(*solved.second.getCollisionObject());
+  const btVector3 normal_in_a = InBulletAxes(cache.NormalInA(), UpAxis(ConvexShapeOf(solved.first)));
+  const btVector3 normal = solved.first.getWorldTransform().getBasis() * normal_in_a;
   const double contact_distance = ContactDistance(options, pair.manifold.BreakingThreshold(), call.output);
-  return TryCachedAxis(pair, cache, call.bodies, contact_distance, [&](const BoundedBody& a, const BoundedBody& b) {
-    const bool counts = pair.is_for_step && options.speculative_contacts;
-    return counts ? MotionOfStep(pair.manifold, a, b, call.info) : PairMotion();
-  });
+  const double separation = SeparationAlong({solved.first, bounded_a}, {solved.second, bounded_b}, normal);
+  // What memory is slow to bring is read last.
+  if (!(separation > contact_distance)) return std::nullopt;
+  const bool counts_motion = pair.is_for_step && options.speculative_contacts;
+  const PairMotion motion = counts_motion ? MotionOfStep(pair.manifold, bounded_a, bounded_b, call.info) : PairMotion();
+  if (motion.MayApproachBy(separation, FromBullet(normal))) return std::nullopt;
+  // The manifold may have contacts of Bullet's own algorithm.
+  if (pair.manifold.IsOwn() && !pair.manifold.IsEmpty()) return std::nullopt;
+  if (separation_report != nullptr) {
+    separation_report->is_swapped = is_swapped;
+    separation_report->separation = separation;
+    separation_report->contact_distance = contact_distance;
+    separation_report->normal_in_a = normal_in_a;
+    separation_report->normal_w = normal;
+  }
+  return kApart;
+} catch (const std::exception&) {
+  return std::nullopt;  // A user's shape has thrown: the next stage reports it.
 }
 
 /// The third stage, and the writing of what it has found.

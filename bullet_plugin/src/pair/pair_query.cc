@@ -93,19 +93,18 @@ Contact PairQuery::FindContact() {
 
 void PairQuery::TurnToTriangle(Contact& contact) const {
   // Of a shape that shows no faces, the deepest point may be over another triangle.
-  if (limits_.triangle_normal.isZero(0) || shape_a_.set.IsCustom() || shape_b_.set.IsCustom()) return;
+  if (limits_.triangle_normal.isZero(0) || shape_a_.set.IsCustom()) return;
   // A triangle has no depth: of what is larger, its centre is outside of the part that is over it, and the direction
   // from there leans the more the deeper that part is.
   const Vector3 face =
       limits_.triangle_normal.dot(contact.normal) < 0 ? Vector3(-limits_.triangle_normal) : limits_.triangle_normal;
-  const Vector3 on_a = SupportPoint(shape_a_, face), on_b = SupportPoint(shape_b_, -face);
-  const double separation = face.dot(on_b - on_a);
+  const Vector3 on_a = SupportPoint(shape_a_, face);
+  const double separation = face.dot(SupportPoint(shape_b_, -face) - on_a);
   if (!(separation > contact.separation)) return;
   contact.normal = face;
   contact.separation = separation;
-  const bool is_a_flat = shape_a_.set.CoreInradius() < shape_b_.set.CoreInradius();
-  contact.witness_1 = is_a_flat ? Vector3(on_b - separation * face) : on_a;
-  contact.witness_2 = contact.witness_1 + separation * face;
+  contact.witness_1 = on_a;
+  contact.witness_2 = on_a + separation * face;
 }
 
 void PairQuery::FindPatch(Contact& contact, PairContacts& contacts) {
@@ -119,8 +118,7 @@ void PairQuery::FindPatch(Contact& contact, PairContacts& contacts) {
     return dgd::PlaneBetween(shape_a_.set, pose_a, shape_b_.set, pose_b, warm_start);
   };
   const auto patch_of = [&](const PosedShape& a, const PosedShape& b, const Contact& certified, const Moment& moment) {
-    if (!options_.contact_patch) return WitnessOnly(certified);
-    if (is_along_centers_) return WitnessOnly(certified);
+    if (!options_.contact_patch || is_along_centers_) return WitnessOnly(certified);
     dgd::FacingFaces<double> facing;
     dgd::FindFacingFaces(a.set, a.pose, b.set, b.pose, certified, facing);
     contacts.side = dgd::ReferenceSideOf(facing);

@@ -27,7 +27,7 @@ struct QueryLimits {
   ContactRange range;
   dgd::PatchSettings<double> patch_settings;
   bool is_user_query;  ///< Whether a user queries the contacts themselves (user_query.h).
-  /// Of a pair with a triangle of a mesh, the triangle's unit normal on either side of it, world; else zero.
+  /// If B is a triangle of a mesh, its unit normal on either side, world; else zero.
   Vector3 triangle_normal = Vector3::Zero();
 };
 

@@ -19,6 +19,7 @@
 
 #include "dgd/assert.h"
 #include "pair_motion.h"
+#include "separation_report.h"
 #include "shapes/shape_adapter.h"
 
 namespace dgd_bullet {
