@@ -26,42 +26,6 @@ constexpr double kLeastExtent = 1e-30, kMostExtent = 1e30;
 
 bool IsSmall(const ConvexHull& hull) { return hull.vertices.size() <= kMostScannedVertices; }
 
-/// Radius of a ball about the points' mean that is inside their hull; metres, 0 or NaN if there is none for certain.
-///
-/// Let C be the covariance of the points, and r the greatest length of C^-1/2 (x - mean). Along any direction, the
-/// points so whitened have mean 0, variance 1, and none is below -r: so one is at 1/r or above (Bhatia and Davis, "A
-/// better bound on the variance", 2000). That is, the hull holds the ball of 1/r there, and here the ellipsoid that it
-/// was, whose least half axis is 1/r times the root of C's least eigenvalue.
-double InradiusAboutMean(std::span<const Vector3d> points, const Vector3d& mean) {
-  Matrix3d covariance = Matrix3d::Zero();
-  double extent_sq = 0;
-  for (const Vector3d& point : points) {
-    const Vector3d offset = point - mean;
-    covariance.noalias() += offset * offset.transpose();
-    extent_sq = std::max(extent_sq, offset.squaredNorm());
-  }
-  covariance /= static_cast<double>(points.size());
-  const double extent = std::sqrt(extent_sq);
-  if (!(extent >= kLeastExtent && extent <= kMostExtent)) return 0;
-  // The inverse for thinner sets is roundoff. False for NaN.
-  constexpr double kLeastVolume = 1e-12;
-  const double size = covariance.trace();
-  if (!(covariance.determinant() > kLeastVolume * size * size * size)) return 0;
-  const Matrix3d inverse = covariance.inverse();
-  double longest_sq = 0;
-  for (const Vector3d& point : points) {
-    const Vector3d offset = point - mean;
-    longest_sq = std::max(longest_sq, offset.dot(inverse * offset));
-  }
-  // No eigenvalue is above a row's sum.
-  const double greatest = inverse.cwiseAbs().rowwise().sum().maxCoeff();
-  // Roundoff of the inverse, where the determinant is least, and of the mean.
-  constexpr double kRelative = 1e-5, kRounding = 32 * std::numeric_limits<double>::epsilon();
-  const double inradius =
-      (1 - kRelative) / std::sqrt(longest_sq * greatest) - kRounding * (extent + mean.lpNorm<Eigen::Infinity>());
-  return inradius > kLeastInradius * extent ? inradius : 0;
-}
-
 std::vector<Vector3d> WithoutDuplicates(std::span<const Vector3d> points) {
   std::vector<Vector3d> distinct;
   distinct.reserve(points.size());
@@ -97,6 +61,36 @@ bool AddFacets(const ConvexHull& built, ConvexHull& hull) {
 }
 
 }  // namespace
+
+double InradiusAboutMean(std::span<const Vector3d> points, const Vector3d& mean) {
+  Matrix3d covariance = Matrix3d::Zero();
+  double extent_sq = 0;
+  for (const Vector3d& point : points) {
+    const Vector3d offset = point - mean;
+    covariance.noalias() += offset * offset.transpose();
+    extent_sq = std::max(extent_sq, offset.squaredNorm());
+  }
+  covariance /= static_cast<double>(points.size());
+  const double extent = std::sqrt(extent_sq);
+  if (!(extent >= kLeastExtent && extent <= kMostExtent)) return 0;
+  // The inverse for thinner sets is roundoff. False for NaN.
+  constexpr double kLeastVolume = 1e-12;
+  const double size = covariance.trace();
+  if (!(covariance.determinant() > kLeastVolume * size * size * size)) return 0;
+  const Matrix3d inverse = covariance.inverse();
+  double longest_sq = 0;
+  for (const Vector3d& point : points) {
+    const Vector3d offset = point - mean;
+    longest_sq = std::max(longest_sq, offset.dot(inverse * offset));
+  }
+  // No eigenvalue is above a row's sum.
+  const double greatest = inverse.cwiseAbs().rowwise().sum().maxCoeff();
+  // Roundoff of the inverse, where the determinant is least, and of the mean.
+  constexpr double kRelative = 1e-5, kRounding = 32 * std::numeric_limits<double>::epsilon();
+  const double inradius =
+      (1 - kRelative) / std::sqrt(longest_sq * greatest) - kRounding * (extent + mean.lpNorm<Eigen::Infinity>());
+  return inradius > kLeastInradius * extent ? inradius : 0;
+}
 
 std::optional<ConvexHull> HullWithoutFacets(std::span<const Vector3d> points) {
   ConvexHull hull;

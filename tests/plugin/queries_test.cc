@@ -121,15 +121,15 @@ TEST_P(ContactQueries, PairTest_SeesPairsThatDoNotCollideInTheWorld) {
   auto& box = world_.Make<btBoxShape>(Vec(0.5, 0.5, 0.5));
   btRigidBody& a = world_.Add(box, 0, At(0, 0, 0.99));
   btRigidBody& b = world_.Add(box, 0, At(0, 0, 0));
-  EXPECT_EQ(PairTest(a, b).size(), 4U) << "two static bodies";
+  EXPECT_EQ(PairTest(a, b).size(), 1U) << "two static bodies";
   btRigidBody& c = world_.Add(box, 1, At(0, 0, 0.99));
   btRigidBody& d = world_.Add(box, 1, At(0, 0, 0));
   c.setIgnoreCollisionCheck(&d, true);
-  EXPECT_EQ(PairTest(c, d).size(), 4U) << "ignoring each other";
+  EXPECT_EQ(PairTest(c, d).size(), 1U) << "ignoring each other";
   c.setIgnoreCollisionCheck(&d, false);
   c.forceActivationState(ISLAND_SLEEPING);
   d.forceActivationState(ISLAND_SLEEPING);
-  EXPECT_EQ(PairTest(c, d).size(), 4U) << "asleep";
+  EXPECT_EQ(PairTest(c, d).size(), 1U) << "asleep";
 }
 
 TEST_P(ContactQueries, ContactTest_SeesWhatTheBodyTouches) {
@@ -140,7 +140,7 @@ TEST_P(ContactQueries, ContactTest_SeesWhatTheBodyTouches) {
   world_.Detect();
   Collector collector(body);
   world_.world().contactTest(&body, collector);
-  EXPECT_EQ(collector.contacts.size(), 4U);
+  EXPECT_EQ(collector.contacts.size(), 1U);
   for (const Contact& contact : collector.contacts) {
     EXPECT_NEAR(contact.depth, -0.001, kLength);
     EXPECT_NEAR(contact.on_b.z(), 0, kLength);
@@ -157,13 +157,13 @@ TEST_P(ContactQueries, Compound_ItsChildrenTouch) {
   btCollisionObject& b = Object(floor, At(0, 0, -1));
   for (const bool swapped : {false, true}) {
     const std::vector<Contact> contacts = swapped ? PairTest(b, a) : PairTest(a, b);
-    EXPECT_EQ(contacts.size(), 8U);
+    EXPECT_EQ(contacts.size(), 2U);
     for (const Contact& contact : contacts) {
       EXPECT_NEAR(contact.depth, -0.001, kLength);
       EXPECT_NEAR(contact.normal_b_to_a.z(), swapped ? -1 : 1, kLength);
     }
   }
-  EXPECT_EQ(PairTest(a, b, 0.5).size(), 8U);
+  EXPECT_EQ(PairTest(a, b, 0.5).size(), 2U);
 }
 
 TEST_P(ContactQueries, Compounds_TheirChildrenTouch) {

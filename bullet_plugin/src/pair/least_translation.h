@@ -12,8 +12,9 @@ namespace dgd_bullet {
 bool IsDeep(const Contact& contact);
 
 /// Turns the normal of a solved pair to where the shapes overlap least, or are farthest apart, with the separation and
-/// the witness points; leaves the contact as it is if that gains nothing.
-/// @param contact  In and out: the result of dgd::GrowthDistance() with these settings and this warm start.
+/// the witness points: over each other along that normal, as those of a growth distance are not.
+/// @param contact  In and out: the result of dgd::GrowthDistance() with these settings and this warm start; or
+///                 kInvalidInput and a direction to begin with: it gets a status, and bounds over the shapes' size.
 void TurnToLeastTranslation(const PosedShape& shape_a, const PosedShape& shape_b, const dgd::Settings<double>& settings,
                             const dgd::WarmStart<double>& warm_start, Contact& contact);
 

@@ -92,7 +92,8 @@ PairOutcome SolveContacts(PairState& pair, PairCache& cache, const PairCall& cal
   }
   const PairOutcome outcome = CatchFailures([&] {
     const ContactRange range = RangeOfContacts(options, pair.manifold, contacts.motion, call.info, call.output);
-    const QueryLimits limits{range, PatchSettingsOf(options, pair.manifold, range, is_user_query), is_user_query};
+    const QueryLimits limits{range, PatchSettingsOf(options, pair.manifold, range, is_user_query), is_user_query,
+                             GetsNearestOnly(call, pair.is_for_step)};
     BringIntoOrder(cache, solved, is_swapped);
     const PosedShape a = AdaptBody(pair.narrowphase, solved.first, cache.hull_a(), is_user_query);
     const PosedShape b = AdaptBody(pair.narrowphase, solved.second, cache.hull_b(), is_user_query);

@@ -49,7 +49,7 @@ dgd::Settings<double> SettingsOf(const Options& options, const QueryLimits& limi
 PosedShape AdaptBody(SharedState& narrowphase, const btCollisionObjectWrapper& body, PairCache::Hull& hull,
                      bool for_user) {
   return AdaptShape(ConvexShapeOf(body), body.getWorldTransform(), narrowphase.options().geometry_mode,
-                    narrowphase.hulls(), hull, narrowphase.HullUseFor(for_user));
+                    narrowphase.hulls(), hull, narrowphase.HullUseFor(for_user), for_user);
 }
 
 PairQuery::PairQuery(const Options& options, const PosedShape& shape_a, const PosedShape& shape_b,
@@ -76,6 +76,7 @@ Contact PairQuery::FindContact() {
       return contact;
     }
   }
+  if (limits_.is_user_query && (shape_a_.set.IsCustom() || shape_b_.set.IsCustom())) return FindDistance();
   Contact contact =
       dgd::GrowthDistance(shape_a_.set, shape_a_.pose, shape_b_.set, shape_b_.pose, settings_, &warm_start_);
   if (!IsCertified(contact) || contact.status == dgd::Status::kSeparated) return contact;
@@ -88,6 +89,15 @@ Contact PairQuery::FindContact() {
     return contact;
   }
   TurnToLeastTranslation(shape_a_, shape_b_, settings_, warm_start_, contact);
+  return contact;
+}
+
+Contact PairQuery::FindDistance() {
+  Contact contact;
+  if (dgd::HasNormal(warm_start_)) contact.normal = shape_a_.pose.rotation * warm_start_.normal_1;
+  settings_.relative_tolerance = options_.relative_tolerance;
+  TurnToLeastTranslation(shape_a_, shape_b_, settings_, warm_start_, contact);
+  warm_start_ = {.normal_1 = (shape_a_.pose.rotation.transpose() * contact.normal).normalized()};
   return contact;
 }
 
@@ -118,7 +128,7 @@ void PairQuery::FindPatch(Contact& contact, PairContacts& contacts) {
     return dgd::PlaneBetween(shape_a_.set, pose_a, shape_b_.set, pose_b, warm_start);
   };
   const auto patch_of = [&](const PosedShape& a, const PosedShape& b, const Contact& certified, const Moment& moment) {
-    if (!options_.contact_patch || is_along_centers_) return WitnessOnly(certified);
+    if (!options_.contact_patch || is_along_centers_ || limits_.is_nearest_only) return WitnessOnly(certified);
     dgd::FacingFaces<double> facing;
     dgd::FindFacingFaces(a.set, a.pose, b.set, b.pose, certified, facing);
     contacts.side = dgd::ReferenceSideOf(facing);

@@ -26,7 +26,8 @@ PosedShape AdaptBody(SharedState& narrowphase, const btCollisionObjectWrapper& b
 struct QueryLimits {
   ContactRange range;
   dgd::PatchSettings<double> patch_settings;
-  bool is_user_query;  ///< Whether a user queries the contacts themselves (user_query.h).
+  bool is_user_query;            ///< Whether a user queries the contacts themselves (user_query.h).
+  bool is_nearest_only = false;  ///< Whether that gets the nearest point alone.
   /// If B is a triangle of a mesh, its unit normal on either side, world; else zero.
   Vector3 triangle_normal = Vector3::Zero();
 };
@@ -50,6 +51,8 @@ class PairQuery {
   /// The growth distance from where it left off; an app's own query, and bodies deep in each other, get the least
   /// translation.
   Contact FindContact();
+  /// The least translation by the last normal, without a growth distance: the fewest evaluations of support points.
+  Contact FindDistance();
   /// Turns the contact of shapes that overlap to the triangle's own normal, if they overlap by less along that.
   void TurnToTriangle(Contact& contact) const;
   /// The patch of a certified contact.

@@ -77,7 +77,7 @@ PairOutcome SolveDistance(PairState& pair, std::shared_ptr<const CachedHull>& hu
   };
   const auto patch_of = [&](const PosedShape& moved, const PosedShape&, const Contact& certified,
                             const Moment& moment) {
-    if (!options.contact_patch) return WitnessOnly(certified);
+    if (!options.contact_patch || GetsNearestOnly(call, pair.is_for_step)) return WitnessOnly(certified);
     const auto facing = dgd::FindFacingFaces(moved.set, moved.pose, dgd::HalfSpace<double>(), certified);
     return FindPatch(certified, facing, rules, moment);
   };

@@ -2,6 +2,7 @@
 
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+#include <BulletCollision/CollisionShapes/btPolyhedralConvexShape.h>
 
 #include "contact_range.h"
 #include "dgd/assert.h"
@@ -11,6 +12,15 @@
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
+
+bool GetsNearestOnly(const PairCall& call, bool is_for_step) {
+  if (!IsUserQuery(call.output) || (is_for_step && call.info.m_timeStep > 0)) return false;
+  const auto has_features = [](const btCollisionObjectWrapper& body) {
+    const btCollisionShape& shape = *body.getCollisionShape();
+    return shape.isPolyhedral() && static_cast<const btPolyhedralConvexShape&>(shape).getConvexPolyhedron() != nullptr;
+  };
+  return !has_features(call.bodies.first) || !has_features(call.bodies.second);
+}
 
 bool UpdateRecycledContacts(PairState& pair, const RecycledContacts::Side& a, const RecycledContacts::Side& b,
                             const PairCall& call) {

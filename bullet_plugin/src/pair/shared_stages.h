@@ -15,6 +15,10 @@
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
 
+/// Whether an app's own result gets the nearest point of a pair alone, as from Bullet's own algorithm. Polyhedra whose
+/// features it has initialized have more, and so does the contact table of a world that steps.
+bool GetsNearestOnly(const PairCall& call, bool is_for_step);
+
 /// @return whether the cached contacts are still those of the pair, and up to date.
 bool UpdateRecycledContacts(PairState& pair, const RecycledContacts::Side& a, const RecycledContacts::Side& b,
                             const PairCall& call);

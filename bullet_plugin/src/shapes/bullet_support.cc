@@ -7,6 +7,7 @@
 
 #include "bullet_conversions.h"
 #include "dgd/convex_hull.h"
+#include "dgd/solver/minkowski_difference.h"
 
 namespace dgd_bullet {
 inline namespace DGD_BULLET_PRECISION {
@@ -23,22 +24,17 @@ dgd::SupportPoint<double> Support(const void* object, const Vector3& direction) 
 
 }  // namespace
 
-dgd::CustomCore CustomSupport(const btConvexShape& shape, double radius) {
+dgd::CustomCore CustomSupport(const btConvexShape& shape, double radius, bool is_for_distance) {
+  if (is_for_distance) return {&shape, Support, Vector3::Zero(), 0, kAccuracy};
+  // Not along the axes: there, most of a box's support points are one corner.
+  const Matrix3 axes = dgd::FrameAlong<double>(Vector3(0.4834, 0.5742, 0.6607).normalized());
   std::array<Vector3, 6> extremes;
   Vector3 center = Vector3::Zero();
   for (std::size_t i = 0; i < extremes.size(); ++i) {
-    Vector3 direction = Vector3::Zero();
-    direction[static_cast<Eigen::Index>(i / 2)] = i % 2 == 0 ? 1 : -1;
-    extremes[i] = Support(&shape, direction).point;
+    extremes[i] = Support(&shape, (i % 2 == 0 ? 1 : -1) * axes.col(static_cast<Eigen::Index>(i / 2))).point;
     center += extremes[i] / double(extremes.size());
   }
-  double inradius = 0;
-  if (!(radius > 0)) {
-    const dgd::ConvexHull hull = dgd::BuildConvexHull(extremes);
-    center = hull.center;
-    inradius = hull.inradius;
-  }
-  return {&shape, Support, center, inradius, kAccuracy};
+  return {&shape, Support, center, radius > 0 ? 0 : dgd::InradiusAboutMean(extremes, center), kAccuracy};
 }
 
 }  // namespace DGD_BULLET_PRECISION

@@ -48,7 +48,7 @@ int UpAxis(const btConvexShape& shape) {
 }
 
 PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, GeometryMode geometry, HullCache& cache,
-                      std::shared_ptr<const CachedHull>& hull, HullUse use) {
+                      std::shared_ptr<const CachedHull>& hull, HullUse use, bool is_for_distance) {
   const int type = shape.getShapeType();
   const double margin = dgd::RequireLength(double(shape.getMargin()), true, "collision margin");
   // The radius of shapes that have a margin besides their core.
@@ -100,8 +100,8 @@ PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, 
     default:
       break;
   }
-  if (!IsHullOfPoints(shape)) return {dgd::RoundedSet{CustomSupport(shape, radius), radius}, FromBullet(transform)};
-  return {dgd::RoundedSet{HullOf(shape, cache, hull, use), radius}, FromBullet(transform)};
+  if (IsHullOfPoints(shape)) return {dgd::RoundedSet{HullOf(shape, cache, hull, use), radius}, FromBullet(transform)};
+  return {dgd::RoundedSet{CustomSupport(shape, radius, is_for_distance), radius}, FromBullet(transform)};
 }
 
 }  // namespace DGD_BULLET_PRECISION

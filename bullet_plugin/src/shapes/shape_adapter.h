@@ -34,9 +34,10 @@ int UpAxis(const btConvexShape& shape);
 /// @param hull      In and out: the hull of a hull of points from one call to the next; looked up in `cache` when it is
 ///                  not this shape's, as it is now.
 /// @param use       Whose query the hull is for.
+/// @param is_for_distance  See CustomSupport().
 /// Throws std::invalid_argument if a size or a point is not finite or the shape has no points.
 PosedShape AdaptShape(const btConvexShape& shape, const btTransform& transform, GeometryMode geometry, HullCache& cache,
-                      std::shared_ptr<const CachedHull>& hull, HullUse use);
+                      std::shared_ptr<const CachedHull>& hull, HullUse use, bool is_for_distance = false);
 
 }  // namespace DGD_BULLET_PRECISION
 }  // namespace dgd_bullet

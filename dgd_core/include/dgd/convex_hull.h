@@ -47,6 +47,14 @@ DGD_EXPORT ConvexHull BuildConvexHull(std::span<const Eigen::Vector3d> points);
 ///         long as IsElongated() has it: the facets of such a hull are needed from the first query on.
 DGD_EXPORT std::optional<ConvexHull> HullWithoutFacets(std::span<const Eigen::Vector3d> points);
 
+/// Radius of a ball about the points' mean that is inside their hull; metres, 0 or NaN if there is none for certain.
+///
+/// Let C be the covariance of the points, and r the greatest length of C^-1/2 (x - mean). Along any direction, the
+/// points so whitened have mean 0, variance 1, and none is below -r: so one is at 1/r or above (Bhatia and Davis, "A
+/// better bound on the variance", 2000). That is, the hull holds the ball of 1/r there, and here the ellipsoid that it
+/// was, whose least half axis is 1/r times the root of C's least eigenvalue.
+DGD_EXPORT double InradiusAboutMean(std::span<const Eigen::Vector3d> points, const Eigen::Vector3d& mean);
+
 inline bool HasFacets(const ConvexHull& hull) { return hull.dimension < 3 || !hull.normals.empty(); }
 
 /// The same with its facets, about the same centre. Of up to kMostScannedVertices points it has the same vertices, and
