@@ -75,7 +75,7 @@ SignedDistanceResult<typename Search::S> FoundBy(const Search& search, Status st
 /// The signed distance of two sets in space, flat ones too.
 /// @param growth      Of GrowthDistance() for these sets and poses, whatever its status: the start.
 /// @param warm_start  Of the same call, or nullptr; its basis saves evaluations, of curved cores up to half.
-/// @param settings    relative_tolerance is of the sets' size, for curved cores: polytopes end at roundoff error.
+/// @param settings    relative_tolerance is of the sets' size, for curved cores: polytopes end at the roundoff of that.
 ///                    max_iterations bounds the evaluations.
 /// @param follow      Out: where UpdateDistance() goes on from, if the result is optimal; curved cores must be apart.
 ///                    Not from exact contact, nor from exactly coincident boxes: there it fails.

@@ -56,7 +56,7 @@ TEST(EpaPolytope, PointInLineWithAnEdge_LeavesNoGap) {
 
 // A needle's faces know no plane, but where they are.
 TEST(EpaPolytope, OnlySlivers_StillHaveANearestPoint) {
-  const dgd::EpaPolytope<double> needle({At({0, 0, -1}), At({0, 0, 1}), At({1e-12, 0, 0}), At({0, 1e-12, 0})},
+  const dgd::EpaPolytope<double> needle({At({0, 0, -1}), At({0, 0, 1}), At({1e-15, 0, 0}), At({0, 1e-15, 0})},
                                         kRounding, 1, kRounding);
   EXPECT_TRUE(needle.IsSliver(needle.Nearest()));
   EXPECT_EQ(needle.Inradius(), 0);

@@ -56,14 +56,16 @@ class EpaPolytope {
   /// Whether the face has no plane, being too narrow.
   static bool IsSliver(const Face& face) { return !(face.distance < std::numeric_limits<S>::infinity()); }
 
-  /// Radius of a ball about the origin that the surface is outside of; negative if the origin is, by roundoff. A foot
-  /// on a sliver is not farther than the sliver's width from a face that has a plane.
+  /// Radius of a ball about the origin that the surface is outside of; negative if the origin is, by roundoff.
   S Inradius() const {
-    const Face& nearest = Nearest();
-    if (IsSliver(nearest)) return 0;
-    const S distance = nearest.distance;
-    return distance > widest_sliver_ ? std::sqrt((distance - widest_sliver_) * (distance + widest_sliver_))
-                                     : std::min(distance, S(0));
+    S inradius = Nearest().distance;
+    if (!has_slivers_) return inradius;
+    std::for_each(faces_.begin(), End(), [&](const Face& face) {
+      if (!IsSliver(face)) return;
+      const S distance = GjkSimplex<S>(CornersOf(face), 3).Nearest().norm();
+      inradius = std::min(inradius, std::max(S(0), distance - kNarrow * roundoff_));  // 0 for NaN.
+    });
+    return inradius;
   }
 
   /// A face whose plane is nearest to the origin.
@@ -175,6 +177,7 @@ class EpaPolytope {
     FeatureId feature_1, feature_2;
   };
 
+  static constexpr S kNarrow = 4;                           // Width of a sliver, in units of the points' roundoff.
   static constexpr std::size_t kMaxPoints = 64;             // There are as many as an edge has bits.
   static constexpr std::size_t kMaxFaces = 2 * kMaxPoints;  // A closed surface has 2 n - 4.
 
@@ -279,11 +282,16 @@ class EpaPolytope {
     face.corners = {a, b, c};
     const Vector3<S>& origin = points_[a].point;
     const Vector3<S> to_b = points_[b].point - origin, to_c = points_[c].point - origin;
-    const Vector3<S> cross = to_b.cross(to_c);
-    const S area = cross.norm();  // Twice.
+    Vector3<S> cross = to_b.cross(to_c);
     const S longest = std::sqrt(std::max({to_b.squaredNorm(), to_c.squaredNorm(), (to_c - to_b).squaredNorm()}));
-    // Narrower than that, a face's plane has lost half of its digits.
-    if (area * area > roundoff_ * reach_ * longest * longest) {
+    S area = cross.norm();  // Twice.
+    constexpr S kThin = S(0.1);
+    if (area < kThin * longest * longest) {
+      Straighten(cross, to_b, to_c);
+      area = cross.norm();
+    }
+    // Narrower than that, a face's corners may as well be in line.
+    if (area > kNarrow * roundoff_ * longest) {
       const S inverse = 1 / area;
       face.normal = inverse * cross;
       face.distance = face.normal.dot(origin);
@@ -292,12 +300,12 @@ class EpaPolytope {
       face.normal.setZero();
       face.distance = std::numeric_limits<S>::infinity();
       face.slack = std::numeric_limits<S>::infinity();
-      if (longest > 0) widest_sliver_ = std::max(widest_sliver_, area / longest);
+      has_slivers_ = true;
     }
   }
 
   S roundoff_, reach_, error_;
-  S widest_sliver_ = 0;  // Width of the widest sliver that there ever was.
+  bool has_slivers_ = false;  // Or had.
   std::size_t size_, face_count_ = 0, nearest_ = 0;
   std::array<Point, kMaxPoints> points_;
   std::array<Face, kMaxFaces> faces_;

@@ -24,6 +24,15 @@ S WeightOfSecond(const Vector3<S>& a, const Vector3<S>& b) {
   return length_sq > 0 ? std::clamp(-side.dot(a) / length_sq, S(0), S(1)) : S(0);
 }
 
+/// Takes out what roundoff leaves of the cross product of two sides of a thin triangle along the longer one: it would
+/// tilt the plane by the side's length.
+template <class S>
+DGD_NOINLINE void Straighten(Vector3<S>& cross, const Vector3<S>& a, const Vector3<S>& b) {
+  const Vector3<S>& longer = a.squaredNorm() > b.squaredNorm() ? a : b;
+  const S length_sq = longer.squaredNorm();
+  if (length_sq > 0) cross -= cross.dot(longer) / length_sq * longer;
+}
+
 /// Convex weights of the point of triangle (a, b, c) nearest to the origin; the triangle may be degenerate. On a sliver
 /// the inside's weights have lost their digits, and a side may be nearer: there all are tried. Not inlined: it is long,
 /// and the same for all sets.
@@ -90,40 +99,34 @@ class GjkSimplex {
     points_[size_++] = added;
   }
   /// Finds the nearest point, and drops the points without weight.
-  void Reduce() {
-    std::array<S, 3> weights{1};
-    if (size_ == 3) {
-      weights = WeightsOfNearest<S>(points_[0].point, points_[1].point, points_[2].point);
-    } else if (size_ == 2) {
-      weights[1] = WeightOfSecond<S>(points_[0].point, points_[1].point);
-      weights[0] = 1 - weights[1];
-    }
-    TakeWeights(weights);
-  }
+  void Reduce() { TakeWeights(Weights()); }
 
-  /// Adds a point, and keeps the part of the hull of all that is nearest to the origin and has that point.
-  void Add(const Feature& added) {
+  /// Adds a point, and keeps the part of the hull of all that is nearest to the origin, of those that have that point.
+  /// @param is_ahead  Whether the point is over the simplex along its normal: then it has a weight, and is kept where
+  ///                  roundoff, next to a near origin, leaves none.
+  void Add(const Feature& added, bool is_ahead = false) {
+    std::array<S, 3> of_nearest{};
+    std::size_t place = size_;
     if (size_ < 3) {
       Append(added);
-      Reduce();
-      return;
+      of_nearest = Weights();
+    } else {
+      S least = std::numeric_limits<S>::infinity();
+      place = 0;
+      for (std::size_t left_out = 0; left_out < 3; ++left_out) {
+        std::array<const Vector3<S>*, 3> corners{&points_[0].point, &points_[1].point, &points_[2].point};
+        corners[left_out] = &added.point;
+        const std::array<S, 3> weights = WeightsOfNearest<S>(*corners[0], *corners[1], *corners[2]);
+        const S distance_sq =
+            (weights[0] * *corners[0] + weights[1] * *corners[1] + weights[2] * *corners[2]).squaredNorm();
+        if (!(distance_sq < least)) continue;
+        least = distance_sq;
+        place = left_out;
+        of_nearest = weights;
+      }
+      points_[place] = added;
     }
-    std::size_t replaced = 0;
-    std::array<S, 3> of_nearest{};
-    S least = std::numeric_limits<S>::infinity();
-    for (std::size_t left_out = 0; left_out < 3; ++left_out) {
-      std::array<const Vector3<S>*, 3> corners{&points_[0].point, &points_[1].point, &points_[2].point};
-      corners[left_out] = &added.point;
-      const std::array<S, 3> weights = WeightsOfNearest<S>(*corners[0], *corners[1], *corners[2]);
-      const S distance_sq =
-          (weights[0] * *corners[0] + weights[1] * *corners[1] + weights[2] * *corners[2]).squaredNorm();
-      if (!(distance_sq < least)) continue;
-      least = distance_sq;
-      replaced = left_out;
-      of_nearest = weights;
-    }
-    DGD_ASSERT(size_ == 3 && replaced < 3);
-    points_[replaced] = added;
+    if (is_ahead) of_nearest[place] = std::max(of_nearest[place], std::numeric_limits<S>::min());
     TakeWeights(of_nearest);
   }
 
@@ -131,7 +134,8 @@ class GjkSimplex {
   /// digits as the origin comes near.
   Vector3<S> Normal() const {
     if (size_ == 3) {
-      const Vector3<S> cross = Side(1).cross(Side(2));
+      Vector3<S> cross = Side(1).cross(Side(2));
+      Straighten<S>(cross, Side(1), Side(2));
       return (cross.dot(nearest_) > 0 ? S(-1) : S(1)) * cross.normalized();
     }
     Vector3<S> across = -nearest_;
@@ -167,6 +171,13 @@ class GjkSimplex {
   }
 
  private:
+  /// Convex weights of the points in the nearest one.
+  std::array<S, 3> Weights() const {
+    if (size_ == 3) return WeightsOfNearest<S>(points_[0].point, points_[1].point, points_[2].point);
+    const S of_second = size_ == 2 ? WeightOfSecond<S>(points_[0].point, points_[1].point) : S(0);
+    return {1 - of_second, of_second};
+  }
+
   /// Finds the nearest point by its weights, and drops the points without one.
   void TakeWeights(const std::array<S, 3>& weights) {
     DGD_ASSERT(!(std::abs(weights[0] + weights[1] + weights[2] - 1) > 16 * kEpsilon<S>));
@@ -190,21 +201,21 @@ class GjkSimplex {
 };
 
 /// Whether a search that goes from simplex to simplex gets on. A normal that is off by the root of a roundoff makes no
-/// difference to the length, and one to the planes: so, a few times, as near as before is enough.
+/// difference to the length, and one to the planes: so, a few times, as near as before is enough, within the roundoff
+/// of the points.
 template <class S>
 class Descent {
  public:
-  /// @param before, after  Squared length of the nearest point, metres^2.
-  bool Continues(S before, S after) {
+  /// @param before, after  Length of the nearest point, metres.
+  /// @param roundoff       Of the simplex's points, metres.
+  bool Continues(S before, S after, S roundoff) {
     if (after < before) return true;
-    return after <= (1 + kAsNear) * before && sideways_++ < kMaxSideways;
+    return after <= before + roundoff && sideways_++ < kMaxSideways;
   }
 
  private:
-  /// The part of the squared length by which another nearest point may be longer, and how often. Of four searches in
-  /// float that stalled 1e-4 m off, in 24 seeds of the test of UpdateDistance(), one such step freed all; by one unit,
-  /// three.
-  static constexpr S kAsNear = 4 * kEpsilon<S>;
+  /// Of four searches in float that stalled 1e-4 m off, in 24 seeds of the test of UpdateDistance(), one such step
+  /// freed all.
   static constexpr int kMaxSideways = 3;
 
   int sideways_ = 0;

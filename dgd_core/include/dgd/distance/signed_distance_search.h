@@ -245,11 +245,12 @@ class SignedDistanceSearch {
         if (is_update_ && !Difference::kIsPolytope) return Status::kStalled;
         return epa_.RunFrom({simplex_[0], simplex_[1], simplex_[2], support});
       }
+      const bool is_own = !Difference::kIsSmooth || normal == simplex_.Normal();
       GjkSimplex<S> grown = simplex_;
-      grown.Add(support);
-      if (descent_.Continues(simplex_.Nearest().squaredNorm(), grown.Nearest().squaredNorm())) {
+      grown.Add(support, is_own);
+      if (descent_.Continues(bounds_.nearest, grown.Nearest().norm(), bounds_.RoundoffBound())) {
         simplex_ = grown;
-      } else if (normal == simplex_.Normal()) {
+      } else if (is_own) {
         return bounds_.Finish(Status::kStalled, simplex_.Combination());
       }
     }
