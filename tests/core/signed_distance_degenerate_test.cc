@@ -174,6 +174,40 @@ TYPED_TEST(SignedDistanceDegenerate, FlatSetsWithNearlyCoincidentCenters_AreAsFa
   this->CheckNearlyCoincident(disc, disc, false);
 }
 
+TYPED_TEST(SignedDistanceDegenerate, TrianglesWithOneCentroid_HaveADistance) {
+  using S = TypeParam;
+  Random random(TestSeed());
+  const int count = TestCount(2000, 200);
+  for (int i = 0; i < count; ++i) {
+    const auto point = [&] { return dgd::Vector3<S>(random.InCube().template cast<S>()); };
+    const dgd::Triangle<S> a(point(), point(), point()), b(point(), point(), point());
+    dgd::Pose<S> pose_a, pose_b;
+    pose_a.translation = point();
+    pose_b.translation = pose_a.translation + a.Center() - b.Center();
+    const AnyPair<S, 3> pair(Erase(dgd::RoundedSet{a}), pose_a, Erase(dgd::RoundedSet{b}), pose_b);
+    EXPECT_EQ(pair.GrowthDistance().status, dgd::Status::kNoInterior);
+    const auto result = pair.SignedDistance({});
+    EXPECT_EQ(result.status, dgd::Status::kOptimal);
+    EXPECT_LE(result.separation, 16 * this->kEps);
+    EXPECT_TRUE(pair.Certify(result).Holds(64 * this->kEps, 64 * this->kEps));
+  }
+}
+
+TYPED_TEST(SignedDistanceDegenerate, FlatSetsOfSizesOutOfRange_AreInvalid) {
+  using S = TypeParam;
+  for (const S size : {S(1), dgd::kLeastSize<S> / 16, 16 * std::numeric_limits<S>::min()}) {
+    const auto triangle = Erase(dgd::RoundedSet{
+        dgd::Triangle<S>(dgd::Vector3<S>(size, 0, 0), dgd::Vector3<S>(-size, size, 0), dgd::Vector3<S>(0, -size, 0))});
+    for (const S offset : {S(0), std::numeric_limits<S>::denorm_min(), size / 4}) {
+      dgd::Pose<S> pose;
+      pose.translation = {0, 0, offset};
+      const auto result = AnyPair<S, 3>(triangle, {}, triangle, pose).SignedDistance({});
+      EXPECT_EQ(result.status, size == 1 ? dgd::Status::kOptimal : dgd::Status::kInvalidInput) << size << " " << offset;
+      if (size == 1) EXPECT_NEAR(result.separation, offset, 4 * this->kEps);
+    }
+  }
+}
+
 // A difference thinner than thousands of units of roundoff was taken for flat, which float's sheets are.
 TYPED_TEST(SignedDistanceDegenerate, ThinSheets_ClaimNoMoreThanIsProven) {
   this->CheckThinBoxes(false, TestCount(6000, 600), sizeof(TypeParam) == 8 ? 0.98 : 0.9);

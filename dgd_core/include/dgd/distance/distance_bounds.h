@@ -58,10 +58,10 @@ struct DistanceBounds {
     return point;
   }
 
+  /// Largest length that was met, of points of K, the centres' distance, and R; metres.
+  S Extent() const { return std::max({size, difference.CenterDistance(), difference.ConvexRadius()}); }
   /// How far points of K may be off, and what is left of their digits next to R; metres.
-  S RoundoffBound() const {
-    return kUnits * kEpsilon<S> * std::max({size, difference.CenterDistance(), difference.ConvexRadius()});
-  }
+  S RoundoffBound() const { return kUnits * kEpsilon<S> * Extent(); }
   /// The same with the error of inexact cores, whose same vertex met twice may not be the same point.
   S SupportError() const { return std::max(RoundoffBound(), difference.Accuracy() * size); }
   /// Largest gap of an optimal result, metres; polytopes end at roundoff.

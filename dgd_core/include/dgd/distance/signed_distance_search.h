@@ -231,6 +231,9 @@ class SignedDistanceSearch {
 
   /// Searches about an origin that is outside of K, or seems to be.
   Status RunGjk() {
+    // The size of flat sets shows in their points.
+    const S extent = bounds_.Extent();
+    if (extent > 0 && extent < kLeastSize<S>) return Status::kInvalidInput;
     for (;;) {
       bounds_.nearest = simplex_.Nearest().norm();
       if (is_update_ && !IsApart()) return StalledOrInvalid();

@@ -129,7 +129,10 @@ class MinkowskiDifference {
     inradius_ = radius + core_inradius;
     // With coincident centres the ray has no direction; any frame serves, see RayIntersection. So tiny a length may
     // also have lost its digits to underflow.
-    frame_ = length_ > kCoincidence<S> * inradius_ ? FrameAlong<S>(Point(p / length_)) : Matrix::Identity();
+    const bool has_direction =
+        length_ > kCoincidence<S> * inradius_ && length_ * length_ >= std::numeric_limits<S>::min();
+    if (!has_direction) length_ = p.stableNorm();
+    frame_ = has_direction ? FrameAlong<S>(Point(p / length_)) : Matrix::Identity();
     to_frame_1_.noalias() = frame_.transpose() * pose_1.rotation;
     to_frame_2_.noalias() = frame_.transpose() * pose_2.rotation;
     convex_radius_ = radius > kMinConvexRadius<S> * core_inradius ? radius : 0;
@@ -275,12 +278,11 @@ class MinkowskiDifference {
   const Point& Center1() const { return center_1_; }
   const Point& Center2() const { return center_2_; }
 
-  /// False for NaN or infinity anywhere in the poses or radii, and for sizes out of the scalar's range.
+  /// False for NaN or infinity anywhere in the poses or radii, and for sizes out of the scalar's range; those of flat
+  /// sets show in their points alone.
   bool IsValid() const {
     const S sum = to_frame_1_.sum() + to_frame_2_.sum() + length_ + inradius_ + center_1_.sum() + center_2_.sum();
-    // Flat sets have nothing but their distance to show whether squares of their lengths vanish.
-    const bool has_vanished = inradius_ == 0 && length_ * length_ < std::numeric_limits<S>::min();
-    return std::isfinite(sum) && IsInRange(length_, inradius_) && !(has_vanished && center_1_ != center_2_);
+    return std::isfinite(sum) && IsInRange(length_, inradius_);
   }
 
  private:
