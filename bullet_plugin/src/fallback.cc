@@ -18,8 +18,8 @@ struct Description {
 constexpr std::array<Description, kFallbacks> kDescriptions{{
     {&FallbackCounts::fallbacks_not_converged, "was left to Bullet's GJK/EPA", "the growth distance did not converge",
      "fallbacks_not_converged"},
-    {&FallbackCounts::fallbacks_no_interior, "was left to Bullet's GJK/EPA", "both are flat and without a margin",
-     "fallbacks_no_interior"},
+    {&FallbackCounts::fallbacks_no_interior, "was left to Bullet's GJK/EPA",
+     "both are flat, and their distance did not converge", "fallbacks_no_interior"},
     {&FallbackCounts::fallbacks_invalid, "has no contacts", "a pose or a shape is not finite, or a shape has no points",
      "fallbacks_invalid"},
     {&FallbackCounts::fallbacks_no_memory, "has no contacts", "no memory is left, on the heap or in Bullet's pools",

@@ -199,9 +199,10 @@ TEST(EmptyManifolds, KinematicBody_WakesItsNeighboursAsWithBullet) {
 TEST(EmptyManifolds, MadeForBulletsOwnAnswer_IsNotGivenBackInTheSameStep) {
   dgd_bullet::Options options = Keeping(false);
   options.on_first_fallback = nullptr;
+  options.max_iterations = 1;
   dgd_bullet::CollisionConfiguration configuration(options);
   btCollisionDispatcher dispatcher(&configuration);
-  // Both flat, and so left to GJK/EPA.
+  // Both flat, and in one evaluation left to GJK/EPA.
   btTriangleShape triangle(Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 1, 0));
   triangle.setMargin(0);
   PairQuery query(dispatcher, triangle, triangle);

@@ -25,9 +25,10 @@ std::vector<std::string>& Told() {
   return told;
 }
 
-dgd_bullet::Options Listening() {
+dgd_bullet::Options Listening(int max_iterations = dgd_bullet::Options().max_iterations) {
   Told().clear();
   dgd_bullet::Options options;
+  options.max_iterations = max_iterations;
   options.on_first_fallback = [](const char* message) noexcept { Told().emplace_back(message); };
   return options;
 }
@@ -204,7 +205,8 @@ TEST(HostileWorld, CompoundOfNaNPoseInAHeap_OthersStayFiniteAndItComesBack) {
 /// A dispatcher with so many manifolds and no more, and so many algorithms before it asks the heap.
 class SmallPools {
  public:
-  SmallPools(int manifolds, int algorithms) : configuration_(Listening(), Pools(manifolds, algorithms)) {
+  SmallPools(int manifolds, int algorithms, dgd_bullet::Options options = Listening())
+      : configuration_(options, Pools(manifolds, algorithms)) {
     dispatcher_.setDispatcherFlags(dispatcher_.getDispatcherFlags() |
                                    btCollisionDispatcher::CD_DISABLE_CONTACTPOOL_DYNAMIC_ALLOCATION);
   }
@@ -244,7 +246,7 @@ TEST(HostilePools, NoManifoldLeft_NoContactsCountedAndMadeUpForLater) {
 
 // Bullet then asks the heap for algorithms, and so do ours; also for the fallback, which needs none.
 TEST(HostilePools, NoAlgorithmLeft_TheHeapHelpsOut) {
-  SmallPools pools(100, 1);
+  SmallPools pools(100, 1, Listening(1));
   btTriangleShape flat(Vec(-1, -1, 0), Vec(1, -1, 0), Vec(0, 1, 0));
   flat.setMargin(0);
   btBoxShape box(Vec(0.5, 0.5, 0.5));
@@ -261,7 +263,7 @@ TEST(HostilePools, NoAlgorithmLeft_TheHeapHelpsOut) {
 }
 
 TEST(FallbackLog, EachReasonIsToldOnceWithItsTypes) {
-  Dispatching dispatching(Route::kConfiguration, Listening());
+  Dispatching dispatching(Route::kConfiguration, Listening(1));
   btTriangleShape flat(Vec(-1, -1, 0), Vec(1, -1, 0), Vec(0, 1, 0));
   flat.setMargin(0);
   btConvexHullShape empty;
@@ -274,8 +276,8 @@ TEST(FallbackLog, EachReasonIsToldOnceWithItsTypes) {
   }
   ASSERT_EQ(Told().size(), 2U);
   EXPECT_EQ(Told()[0],
-            "dgd_bullet: a pair of TRIANGLE and TRIANGLE was left to Bullet's GJK/EPA: both are flat and without a"
-            " margin. Reported once; counted in Statistics::fallbacks_no_interior.");
+            "dgd_bullet: a pair of TRIANGLE and TRIANGLE was left to Bullet's GJK/EPA: both are flat, and their"
+            " distance did not converge. Reported once; counted in Statistics::fallbacks_no_interior.");
   EXPECT_EQ(Told()[1],
             "dgd_bullet: a pair of CONVEX_HULL and SPHERE has no contacts: a pose or a shape is not finite, or a shape"
             " has no points. Reported once; counted in Statistics::fallbacks_invalid.");

@@ -74,10 +74,13 @@ TEST_F(Counted, Types_AreAPairInEitherOrder) {
 TEST_F(Counted, Fallbacks_AreCountedByReasonToo) {
   btTriangleShape flat(Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 1, 0));
   flat.setMargin(0);
-  PairQuery pair(dispatching_.dispatcher(), flat, flat);
+  dgd_bullet::Options options = Counting();
+  options.max_iterations = 1;
+  Dispatching hurried(Route::kConfiguration, options);
+  PairQuery pair(hurried.dispatcher(), flat, flat);
   pair.SetPoses(At(0, 0, 0), At(0, 0, 0.001));
   pair.Step();
-  const dgd_bullet::Statistics statistics = dispatching_.statistics();
+  const dgd_bullet::Statistics statistics = hurried.statistics();
   ASSERT_EQ(statistics.pairs.size(), 1U);
   EXPECT_EQ(statistics.pairs[0].fallbacks_no_interior, 1U);
   EXPECT_EQ(statistics.pairs[0].calls, 1U);

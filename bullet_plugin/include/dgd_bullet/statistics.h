@@ -15,7 +15,7 @@ inline namespace DGD_BULLET_PRECISION {
 /// Calls that the growth distance did not solve, by reason. The first two are handed to Bullet's GJK/EPA.
 struct FallbackCounts {
   std::uint64_t fallbacks_not_converged = 0;  ///< Iteration limit, or bounds that rounding kept apart.
-  std::uint64_t fallbacks_no_interior = 0;    ///< Two flat shapes without margins: no growth distance exists.
+  std::uint64_t fallbacks_no_interior = 0;    ///< Two flat shapes without margins whose distance did not converge.
   std::uint64_t fallbacks_invalid = 0;    ///< NaN or infinity in a pose or a shape: no contacts, from Bullet neither.
   std::uint64_t fallbacks_no_memory = 0;  ///< For a hull, or in Bullet's pools: no contacts until the next try.
 

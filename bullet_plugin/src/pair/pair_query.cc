@@ -79,6 +79,10 @@ Contact PairQuery::FindContact() {
   if (limits_.is_user_query && (shape_a_.set.IsCustom() || shape_b_.set.IsCustom())) return FindDistance();
   Contact contact =
       dgd::GrowthDistance(shape_a_.set, shape_a_.pose, shape_b_.set, shape_b_.pose, settings_, &warm_start_);
+  if (contact.status == dgd::Status::kNoInterior) {
+    const Contact distance = FindDistance();
+    return IsCertified(distance) ? distance : contact;
+  }
   if (!IsCertified(contact) || contact.status == dgd::Status::kSeparated) return contact;
   if (contact.separation < -rules_.flush) TurnToTriangle(contact);
   if (limits_.is_user_query) {
