@@ -203,7 +203,9 @@ TYPED_TEST(SignedDistanceDegenerate, FlatSetsOfSizesOutOfRange_AreInvalid) {
       pose.translation = {0, 0, offset};
       const auto result = AnyPair<S, 3>(triangle, {}, triangle, pose).SignedDistance({});
       EXPECT_EQ(result.status, size == 1 ? dgd::Status::kOptimal : dgd::Status::kInvalidInput) << size << " " << offset;
-      if (size == 1) EXPECT_NEAR(result.separation, offset, 4 * this->kEps);
+      if (size == 1) {
+        EXPECT_NEAR(result.separation, offset, 4 * this->kEps);
+      }
     }
   }
 }
