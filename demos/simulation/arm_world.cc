@@ -214,8 +214,10 @@ std::vector<ArmWorld::Contact> ArmWorld::Contacts() const {
     for (int c = 0; c < manifold.getNumContacts(); ++c) {
       const btManifoldPoint& point = manifold.getContactPoint(c);
       const double distance = point.getDistance(), force = point.getAppliedImpulse() / time_step_;
-      // A manifold also has points of bodies that are close, or will only meet within the step.
-      if (!(distance <= 0 || force > 0)) continue;
+      // A manifold also has points of bodies that are close, or will only meet within the step if no motor brakes them:
+      // these are shown as up to 0.1 mm deep.
+      constexpr double kDeep = -1e-4;
+      if (!(distance < kDeep || force > 0)) continue;
       Contact& contact =
           pairs.try_emplace({first, second}, Contact{first, second, std::numeric_limits<double>::infinity(), 0})
               .first->second;
