@@ -1,7 +1,7 @@
 // What the queries of a mesh's triangles leave from one step to the next.
 //
-// Bullet begins from scratch with each triangle in every step. With the last normal, two in three triangles that a body's
-// bounding box reaches are found to be still apart, and the others' contacts are updated.
+// Bullet begins from scratch with each triangle in every step. With the last normal, two in three triangles that a
+// body's bounding box reaches are found to be still apart, and the others' contacts are updated.
 #pragma once
 
 #include <vector>
