@@ -107,7 +107,8 @@ void MeshContacts::Begin(const btTransform& mesh) {
 }
 
 int MeshContacts::AddTriangle(const btVector3* corners, int part, int index) {
-  const MeshTriangle& triangle = triangles_.emplace_back(std::array{corners[0], corners[1], corners[2]}, part, index);
+  triangles_.push_back({{corners[0], corners[1], corners[2]}, part, index});
+  const MeshTriangle& triangle = triangles_.back();
   const Vector3 area = rotation_ * AreaOf(triangle);
   const double length_sq = area.squaredNorm();
   normals_.push_back(length_sq > 0 ? Vector3(area / std::sqrt(length_sq)) : Vector3(Vector3::Zero()));
