@@ -101,8 +101,10 @@ struct DistanceBounds {
   /// Keeps the point of the inner approximation for the witness points; or a support point that is nearer to the
   /// plane's foot, as of smooth sets it is. Each witness point is put on its set's supporting plane, which the inner
   /// approximation is below by the gap.
-  /// @param status  How the search ended, unless the bounds agree all the same.
+  /// @param status  How the search ended, unless the bounds agree all the same, or there is no plane: of support
+  ///                functions that return no numbers.
   Status Finish(Status status, const Feature& of_inner) {
+    if (!(best.height < std::numeric_limits<S>::infinity())) return Status::kInvalidInput;
     DGD_ASSERT(IsUnitOrNan(best.normal));
     foot = of_inner;
     if (best.has_support) {
