@@ -180,7 +180,8 @@ class GjkSimplex {
 
   /// Finds the nearest point by its weights, and drops the points without one.
   void TakeWeights(const std::array<S, 3>& weights) {
-    DGD_ASSERT(!(std::abs(weights[0] + weights[1] + weights[2] - 1) > 16 * kEpsilon<S>));
+    [[maybe_unused]] const S sum = weights[0] + weights[1] + weights[2];
+    DGD_ASSERT(sum == 0 || !(std::abs(sum - 1) > 16 * kEpsilon<S>));  // Points whose squares are infinite have none.
     const std::size_t size = size_;
     size_ = 0;
     nearest_.setZero();
