@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -180,8 +179,6 @@ class GjkSimplex {
 
   /// Finds the nearest point by its weights, and drops the points without one.
   void TakeWeights(const std::array<S, 3>& weights) {
-    [[maybe_unused]] const S sum = weights[0] + weights[1] + weights[2];
-    DGD_ASSERT(sum == 0 || !(std::abs(sum - 1) > 16 * kEpsilon<S>));  // Points whose squares are infinite have none.
     const std::size_t size = size_;
     size_ = 0;
     nearest_.setZero();
